@@ -4,7 +4,10 @@
 //! whether I is a tensor or a number; `[a]` is a bracket, whether it groups or makes a skew matrix. What
 //! a symbol stands for is decided for the document as a whole by `verify`. Every node knows its bytes.
 
+mod alike;
 mod walk;
+
+pub(crate) use alike::Shape;
 
 use crate::source::Span;
 use num_rational::BigRational;

@@ -2,6 +2,7 @@
 
 pub(crate) mod atoms;
 pub(crate) mod bodies;
+pub(crate) mod changes;
 pub(crate) mod contact;
 pub(crate) mod dimensions;
 pub(crate) mod frames;
@@ -10,6 +11,7 @@ pub(crate) mod kernels;
 pub(crate) mod loads;
 pub(crate) mod partial;
 pub(crate) mod points;
+pub(crate) mod powers;
 pub(crate) mod sums;
 pub(crate) mod system;
 pub(crate) mod unplaced;

@@ -9,7 +9,8 @@ use crate::algebra::{
 };
 use crate::verify::facts::premises::{Facts, Rule};
 use crate::verify::facts::small::Small;
-use crate::verify::model::atoms::{Atoms, Nature, lowered};
+use crate::verify::model::atoms::{Atoms, Nature};
+use crate::verify::model::powers::lowered;
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, HashMap};
 

@@ -4,7 +4,8 @@ use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::verify::facts::Source;
 use crate::verify::facts::images::Image;
 use crate::verify::facts::premises::{Facts, MOST_TERMS, OutOfBudget, Rule};
-use crate::verify::model::atoms::{Atoms, Nature, with_one_square};
+use crate::verify::model::atoms::{Atoms, Nature};
+use crate::verify::model::powers::with_one_square;
 use num_traits::{One, Zero};
 
 /// No rule tells a higher rate.

@@ -4,6 +4,7 @@
 //! variable of the motion has a rate that is free again; one that the frames carry along has a rate that they give.
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
+use crate::verify::model::changes::Changes;
 use foldhash::HashMap;
 use num_traits::Zero;
 use std::collections::BTreeSet;
@@ -135,6 +136,7 @@ pub(crate) struct Atoms {
     pub(super) unplaced: BTreeSet<Variable>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
+    pub(super) changes: Changes,
 }
 
 /// A variable as a fraction.
@@ -163,6 +165,7 @@ impl Atoms {
         }
         let variable = self.list.len() as Variable;
         self.known.insert(key.clone(), variable);
+        self.changes.note(variable);
         self.list.push(Atom {
             key,
             place,
@@ -190,11 +193,31 @@ impl Atoms {
     }
 
     pub(crate) fn atom_mut(&mut self, variable: Variable) -> &mut Atom {
+        self.changes.note(variable);
         &mut self.list[variable as usize]
     }
 
     pub(crate) fn len(&self) -> usize {
         self.list.len()
+    }
+
+    /// All from one on.
+    pub(super) fn from(&self, first: usize) -> &[Atom] {
+        self.list.get(first..).unwrap_or_default()
+    }
+
+    /// Puts these in the place of all from one on, of which they are the first ones, later.
+    pub(super) fn replace_from(&mut self, first: usize, added: &[Atom]) {
+        let before = self.list.len();
+        self.list.truncate(first);
+        self.list.extend_from_slice(added);
+        for variable in before as Variable..self.list.len() as Variable {
+            let Atom { key, rate_of, .. } = &self.list[variable as usize];
+            self.known.insert(key.clone(), variable);
+            if let Some(of) = *rate_of {
+                self.rates.insert(of, fraction(variable));
+            }
+        }
     }
 
     /// Leaves out the first numbers, by which other variables of the document are called.
@@ -314,6 +337,7 @@ impl Atoms {
     /// A letter is a length: the root of its square.
     pub(crate) fn tell_root(&mut self, square: Fraction, letter: Variable) {
         let square = self.with_squares(&square);
+        self.changes.note_all();
         self.lengths.push((square, letter));
         self.set_length(letter);
     }
@@ -325,11 +349,13 @@ impl Atoms {
 
     /// Says that a letter is a length: it is no less than zero.
     pub(crate) fn set_length(&mut self, letter: Variable) {
+        self.changes.note_all();
         self.sized.insert(letter);
     }
 
     /// Says that a letter is small: what it stands beside is told by it, and not the other way round.
     pub(crate) fn set_small(&mut self, letter: Variable) {
+        self.changes.note_all();
         self.small.insert(letter);
     }
 
@@ -384,31 +410,4 @@ pub(crate) fn dotted(order: usize, text: &str) -> Option<String> {
     });
     let (base, rest) = text.split_at(end.map_or(text.len(), |(at, _)| at));
     Some(format!("{dots}{{{base}}}{rest}"))
-}
-
-/// The polynomial with the last of its squares that are known put in; `None` where it has none.
-pub(crate) fn with_one_square<'s>(
-    of: &Polynomial,
-    square_of: impl Fn(Variable) -> Option<&'s Polynomial>,
-) -> Option<Polynomial> {
-    let told = of.variables().into_iter().rev();
-    let mut told = told.filter_map(|v| Some((v, square_of(v)?)));
-    let (variable, square) = told.find(|(v, _)| of.degree_in(*v) > 1)?;
-    Some(lowered(of, variable, square))
-}
-
-/// The polynomial with the square of a variable put in wherever it stands.
-pub(crate) fn lowered(of: &Polynomial, variable: Variable, square: &Polynomial) -> Polynomial {
-    let mut sum = Polynomial::zero();
-    for power in 0..=of.degree_in(variable) {
-        let mut term = of.coefficient_of(variable, power);
-        if term.is_zero() {
-            continue;
-        }
-        if power % 2 == 1 {
-            term *= Polynomial::variable(variable);
-        }
-        sum += term * square.pow(power / 2);
-    }
-    sum
 }

@@ -1,9 +1,8 @@
 //! Sines, cosines and roots: variables with a relation, which they are functions of.
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Rational, Variable};
-use crate::verify::model::atoms::{
-    Atoms, Key, Law, Motion, Nature, fraction, whole, with_one_square,
-};
+use crate::verify::model::atoms::{Atoms, Key, Law, Motion, Nature, fraction, whole};
+use crate::verify::model::powers::with_one_square;
 use num_traits::{One, Zero};
 
 /// How π is written.

@@ -174,6 +174,21 @@ pub(crate) fn unit(axis: usize) -> Vector {
 }
 
 impl System {
+    /// How much there is of everything but variables.
+    pub(crate) fn extent(&self) -> [usize; 8] {
+        let tensors = self.bodies.iter().filter(|body| body.inertia.is_some());
+        [
+            self.frames.len(),
+            self.points.len(),
+            self.bodies.len(),
+            tensors.count(),
+            self.families.len(),
+            self.planes.len(),
+            self.contacts.len(),
+            self.loads.len(),
+        ]
+    }
+
     /// Three new components that move freely, or not at all as seen from the work frame.
     pub(crate) fn free_vector(&mut self, text: &str, place: Place, member: Option<&str>) -> Vector {
         Vector::from_fn(|row, _| {

@@ -6,11 +6,13 @@ use crate::verify::model::atoms::Atoms;
 impl Atoms {
     /// Says that these are coordinates of a point of which no sentence tells where it lies.
     pub(crate) fn set_unplaced(&mut self, coordinates: impl IntoIterator<Item = Variable>) {
+        self.changes.note_all();
         self.unplaced.extend(coordinates);
     }
 
     /// A letter tells where the point lies.
     pub(crate) fn set_placed(&mut self, coordinates: impl IntoIterator<Item = Variable>) {
+        self.changes.note_all();
         for coordinate in coordinates {
             self.unplaced.remove(&coordinate);
         }

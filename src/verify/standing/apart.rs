@@ -84,6 +84,7 @@ impl<'a> Apart<'a> {
             reading: self.judge.reading,
             known: self.judge.known,
             facts: self.facts,
+            links: None,
         };
         WorkedOut {
             prepared,

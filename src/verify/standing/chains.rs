@@ -1,6 +1,7 @@
 //! Which sides a line sets equal: each against the head of its chain.
 
 use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::source::Span;
 use crate::verify::term::letters::{At, Letters, loosely, spelled};
 
 /// Two sides and what is said of them.
@@ -69,4 +70,9 @@ pub(crate) fn may_define(links: &[Link], letters: &Letters, at: &At) -> bool {
     links
         .iter()
         .any(|link| is_new(&link.left) || is_new(&link.right))
+}
+
+/// Where the first side of some links stands.
+pub(super) fn head_of(links: &[Link]) -> Span {
+    links.first().map_or(Span::default(), |link| link.left.span)
 }

@@ -21,6 +21,7 @@ use std::collections::BTreeSet;
 const MOST_DOUBLED: usize = 6;
 
 /// What one link of a line came to.
+#[derive(Clone, Debug)]
 pub(super) struct Held {
     pub(super) standing: Standing,
     pub(super) reason: Option<String>,
@@ -39,7 +40,7 @@ pub(super) struct Held {
 }
 
 /// The sides of a link, component by component.
-#[derive(Clone, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Sides {
     pub(super) sides: Vec<(Fraction, Fraction)>,
     /// Letters of which nothing is told.
@@ -69,8 +70,8 @@ impl Held {
 }
 
 impl Judge<'_> {
-    /// What one link is worth.
-    pub(super) fn hold(&mut self, link: &Link) -> Held {
+    /// What one link is worth, worked out.
+    pub(super) fn hold_anew(&mut self, link: &Link) -> Held {
         if let Some(sentence) = self.unread_rule() {
             return Held::open(nothing_made_of(sentence));
         }
@@ -308,8 +309,8 @@ impl Judge<'_> {
         Ok(residuals)
     }
 
-    /// What a link is worth whose sides are worked out.
-    pub(super) fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+    /// What a link is worth whose sides are worked out, weighed anew.
+    pub(super) fn weigh_anew(&mut self, link: &Link, worked_out: Sides) -> Held {
         if self.facts.are_too_many
             && let Some(held) = self.weigh_by_needed(link, &worked_out)
         {

@@ -9,10 +9,11 @@ use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::facts::small::Small;
 use crate::verify::reading::Reading;
-use crate::verify::standing::chains::{Chain, Link, may_define};
+use crate::verify::standing::chains::{Chain, Link, head_of, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
+use crate::verify::standing::recalled::Recalled;
 use crate::verify::standing::roles::{Purpose, RELATION};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
@@ -87,18 +88,20 @@ pub(crate) struct Judge<'a> {
     pub(crate) judged: Vec<Judged>,
     /// The accepted lines that are in force.
     pub(super) settled_taken: Vec<usize>,
-    again: Again,
+    pub(super) again: Again,
     /// The part of the document whose lines are judged; of others only the letters that they define are taken.
     part: Part,
 }
 
-/// Lines that are looked at again.
+/// Lines that are looked at again, and links that others had before.
 #[derive(Default)]
-struct Again {
+pub(super) struct Again {
     /// Those of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
     /// The accepted ones that define letters.
     defining: Vec<(Source, Vec<Link>)>,
+    /// What links came to in other documents; none once a line of this one was taken into the facts.
+    pub(super) recalled: Option<Recalled>,
 }
 
 impl<'a> Judge<'a> {
@@ -110,9 +113,11 @@ impl<'a> Judge<'a> {
 
     /// For a part of a document that is read so.
     pub(crate) fn over(document: &'a Document, part: Part, prepared: Prepared) -> Self {
+        let mut reading = prepared.reading;
+        let recalled = prepared.links.map(|links| links.used_by(&mut reading));
         Self {
             document,
-            reading: prepared.reading,
+            reading,
             facts: prepared.facts,
             known: prepared.known,
             written: Written {
@@ -125,7 +130,10 @@ impl<'a> Judge<'a> {
             words: Words::default(),
             judged: vec![],
             settled_taken: vec![],
-            again: Again::default(),
+            again: Again {
+                recalled,
+                ..Again::default()
+            },
             part,
         }
     }
@@ -406,9 +414,4 @@ impl<'a> Judge<'a> {
         let letter = held.settles.as_ref().map(|(letter, ..)| letter);
         letter.is_some_and(|letter| self.reading.is_defined_elsewhere(letter, &self.at))
     }
-}
-
-/// Where the first side of some links stands.
-fn head_of(links: &[Link]) -> Span {
-    links.first().map_or(Span::default(), |link| link.left.span)
 }

@@ -68,6 +68,8 @@ impl Judge<'_> {
     pub(super) fn settle(&mut self, held: &Held, source: &Source) -> Answer {
         // What holds at one instant tells nothing of the others.
         let instant = self.reading.instants.at(&self.at);
+        // The facts are others from here on, or letters have shapes.
+        self.again.recalled = None;
         if let Some(at) = instant {
             let values = held.sides.iter();
             let values = values.map(|(left, right)| (left.clone() - right.clone(), source.clone()));

@@ -5,6 +5,7 @@ use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::Declaration;
 use crate::verify::reading::Reading;
 use crate::verify::reading::builder::build;
+use crate::verify::standing::recalled::Links;
 use crate::verify::standing::written::written_symbols;
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::At;
@@ -16,6 +17,8 @@ pub(crate) struct Prepared {
     pub(crate) reading: Reading,
     pub(crate) known: Known,
     pub(crate) facts: Facts,
+    /// What links came to in documents that began with it.
+    pub(crate) links: Option<Links>,
 }
 
 impl Prepared {
@@ -31,6 +34,7 @@ impl Prepared {
             known: Known::of(reading.shapes.clone()),
             reading,
             facts: Facts::default(),
+            links: None,
         }
     }
 
@@ -43,6 +47,7 @@ impl Prepared {
         let premises = self.reading.premises_in_force();
         let atoms = &mut self.reading.system.atoms;
         self.facts.extend_all(atoms, premises);
+        self.links = Links::of(&self.reading);
     }
 
     /// The same for another document, if it would be read alike.

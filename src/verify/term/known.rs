@@ -12,6 +12,15 @@ use foldhash::HashMap;
 use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
 
+/// The value of a symbol, and how it was found.
+#[derive(Clone, Debug)]
+pub(super) struct KnownSymbol {
+    value: Value,
+    frames: BTreeSet<FrameId>,
+    /// Whether it hangs on what else the document writes.
+    by_written: bool,
+}
+
 /// What letters are, as far as it was asked for. It holds for one system.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Known {
@@ -21,7 +30,7 @@ pub(crate) struct Known {
     values: HashMap<String, Vec<(Quantity, Valued)>>,
     /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
     /// axes they are.
-    symbols: HashMap<Symbol, (Value, BTreeSet<FrameId>)>,
+    symbols: HashMap<Symbol, KnownSymbol>,
     /// Values at other instants than the present one, and integrals from there.
     pub(crate) kept: Vec<Kept>,
     /// How many dimensions space has where they were worked out.
@@ -51,21 +60,6 @@ impl Known {
         let values = self.values.get(letter)?.iter();
         let mut own = values.filter(|(known, _)| known == quantity);
         own.next().map(|(_, value)| value)
-    }
-
-    /// The value of a symbol and its frames, if it was worked out.
-    pub(super) fn symbol(&self, symbol: &Symbol) -> Option<&(Value, BTreeSet<FrameId>)> {
-        self.symbols.get(symbol)
-    }
-
-    pub(super) fn keep_symbol(
-        &mut self,
-        symbol: &Symbol,
-        value: &Value,
-        frames: &BTreeSet<FrameId>,
-    ) {
-        let known = (value.clone(), frames.clone());
-        self.symbols.insert(symbol.clone(), known);
     }
 
     /// Forgets the values of symbols, as by what a document writes they may mean something else.
@@ -106,17 +100,27 @@ impl Lowering<'_> {
         if !self.axes.is_empty() || !self.letters.is_uniform() {
             return self.new_symbol(symbol);
         }
-        if let Some((value, frames)) = self.known.symbol(symbol) {
-            self.frames_seen.extend(frames);
-            return Ok(value.clone());
+        let written = &self.letters.written;
+        if let Some(known) = self.known.symbols.get(symbol) {
+            self.frames_seen.extend(&known.frames);
+            if known.by_written {
+                written.note_asked();
+            }
+            return Ok(known.value.clone());
         }
+        let asked = written.times_asked();
         let unknown = std::mem::take(&mut self.unknown);
         let frames = std::mem::take(&mut self.frames_seen);
         let value = self.new_symbol(symbol);
         if let Ok(value) = &value
             && self.unknown.is_empty()
         {
-            self.known.keep_symbol(symbol, value, &self.frames_seen);
+            let known = KnownSymbol {
+                value: value.clone(),
+                frames: self.frames_seen.clone(),
+                by_written: written.times_asked() != asked,
+            };
+            self.known.symbols.insert(symbol.clone(), known);
         }
         self.unknown.extend(unknown);
         self.frames_seen.extend(frames);

@@ -1,6 +1,6 @@
 //! The symbols that a document writes.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 
 /// The symbols that a document writes, spelled, and those of which it writes a rate. It keeps in mind what was asked: two
@@ -13,6 +13,17 @@ pub(crate) struct WrittenSymbols {
     asked: RefCell<BTreeSet<String>>,
     /// The shapes that were asked for, each with what fits it.
     shapes: RefCell<Vec<(String, Vec<char>)>>,
+    times: Times,
+}
+
+/// How often something was asked; no part of what is written.
+#[derive(Clone, Debug, Default)]
+struct Times(Cell<usize>);
+
+impl PartialEq for Times {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 impl WrittenSymbols {
@@ -25,6 +36,7 @@ impl WrittenSymbols {
 
     /// Whether the document, or a sentence that keeps it apart, writes a symbol.
     pub(crate) fn has(&self, symbol: &str) -> bool {
+        self.note_asked();
         if !self.asked.borrow().contains(symbol) {
             self.asked.borrow_mut().insert(symbol.to_owned());
         }
@@ -33,11 +45,22 @@ impl WrittenSymbols {
 
     /// What stands for a character in symbols like one: `A` for `X` where `R_AB` is written and `R_XY` is asked for.
     pub(crate) fn like(&self, shape: &str, wild: &[char]) -> BTreeSet<(char, char)> {
+        self.note_asked();
         let asked = (shape.to_owned(), wild.to_vec());
         if !self.shapes.borrow().contains(&asked) {
             self.shapes.borrow_mut().push(asked);
         }
         like(&self.written, shape, wild)
+    }
+
+    /// How often something was asked so far.
+    pub(crate) fn times_asked(&self) -> usize {
+        self.times.0.get()
+    }
+
+    /// Something is known by what was asked.
+    pub(super) fn note_asked(&self) {
+        self.times.0.set(self.times.0.get() + 1);
     }
 
     /// The symbols of another document stand beside these.

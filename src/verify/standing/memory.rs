@@ -1,0 +1,176 @@
+//! What was found of a formula in one document, kept for others that are read alike.
+//!
+//! It holds wherever the same formula meets the same variables. Documents bring up variables of their own, in an order of
+//! their own, so these are told apart; what a formula itself brings up is brought up again.
+
+use crate::algebra::{Fraction, Polynomial};
+use crate::verify::model::changes::Added;
+use crate::verify::model::system::System;
+use foldhash::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// When more is kept, all of it is forgotten: what is common comes back soon.
+const MOST_KEPT: usize = 1_000;
+
+/// Formulas whose trees have more bytes, or whose sides more terms, are not kept.
+const LONGEST: usize = 2_000;
+const MOST_TERMS: usize = 500;
+
+/// Documents with variables in more orders than this are not told apart, and nothing of them is kept.
+const MOST_STATES: usize = 48;
+
+/// What is kept, for many documents.
+#[derive(Debug)]
+pub(crate) struct Memory<V>(Arc<Mutex<Kept<V>>>);
+
+/// All documents that begin with the same variables have one.
+impl<V> Clone for Memory<V> {
+    fn clone(&self) -> Self {
+        Self(self.0.clone())
+    }
+}
+
+impl<V> Default for Memory<V> {
+    fn default() -> Self {
+        Self(Arc::new(Mutex::new(Kept {
+            states: vec![],
+            values: HashMap::default(),
+        })))
+    }
+}
+
+#[derive(Debug)]
+struct Kept<V> {
+    /// The variables that documents brought up.
+    states: Vec<Added>,
+    values: HashMap<Wording, Found<V>>,
+}
+
+/// What was found, and the state after it, where it brought up variables.
+#[derive(Debug)]
+struct Found<V> {
+    value: V,
+    then: Option<usize>,
+}
+
+impl<V> Memory<V> {
+    fn kept(&self) -> MutexGuard<'_, Kept<V>> {
+        // Nothing in it is ever half done.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// A formula beside the variables that it meets.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Wording {
+    state: usize,
+    of: Formula,
+}
+
+/// A formula as it is looked for.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Formula {
+    /// Its tree.
+    Tree(Vec<u8>),
+    /// What its sides are worth.
+    Sides(Vec<Polynomial>),
+}
+
+impl Formula {
+    /// By what its sides are worth.
+    pub(crate) fn of_sides(sides: &[(Fraction, Fraction)]) -> Self {
+        let sides = sides.iter().flat_map(|(left, right)| [left, right]);
+        let parts = sides.flat_map(|side| [side.numerator(), side.denominator()]);
+        Self::Sides(parts.cloned().collect())
+    }
+
+    fn is_long(&self) -> bool {
+        match self {
+            Self::Tree(bytes) => bytes.len() > LONGEST,
+            Self::Sides(sides) => sides.iter().map(Polynomial::len).sum::<usize>() > MOST_TERMS,
+        }
+    }
+}
+
+/// The memory, as one document uses it.
+#[derive(Debug)]
+pub(crate) struct Recall<V> {
+    memory: Memory<V>,
+    /// How many variables the document began with.
+    first: usize,
+    /// Which variables it has, and since when.
+    state: Option<usize>,
+    changes: Option<u64>,
+    /// How much the system had of everything else.
+    extent: [usize; 8],
+}
+
+impl<V: Clone> Recall<V> {
+    /// For a document that begins with this.
+    pub(crate) fn new(memory: Memory<V>, system: &mut System) -> Self {
+        system.atoms.watch();
+        Self {
+            memory,
+            first: system.atoms.len(),
+            state: None,
+            changes: None,
+            extent: system.extent(),
+        }
+    }
+
+    /// A formula beside the variables that there are; `None` for one that is not kept.
+    pub(crate) fn wording(&mut self, system: &System, of: Formula) -> Option<Wording> {
+        let state = self.state(system).filter(|_| !of.is_long())?;
+        Some(Wording { state, of })
+    }
+
+    /// The number of the variables that the document has; `None` where there are too many others.
+    pub(crate) fn state(&mut self, system: &System) -> Option<usize> {
+        let atoms = &system.atoms;
+        if self.changes != Some(atoms.changes()) {
+            self.changes = Some(atoms.changes());
+            self.state = self.find_state(system);
+        }
+        self.state
+    }
+
+    fn find_state(&self, system: &System) -> Option<usize> {
+        let atoms = &system.atoms;
+        if !atoms.are_untouched(self.first) || system.extent() != self.extent {
+            return None;
+        }
+        let states = &mut self.memory.kept().states;
+        let known = states
+            .iter()
+            .position(|added| atoms.has_added(self.first, added));
+        if known.is_none() && states.len() < MOST_STATES {
+            states.push(atoms.added(self.first));
+            return Some(states.len() - 1);
+        }
+        known
+    }
+
+    /// What was found before; the variables that it brought up then are there afterwards.
+    pub(crate) fn known(&mut self, system: &mut System, wording: &Wording) -> Option<V> {
+        let kept = self.memory.kept();
+        let found = kept.values.get(wording)?;
+        if let Some(then) = found.then {
+            system.atoms.bring_up(self.first, &kept.states[then]);
+            (self.state, self.changes) = (Some(then), Some(system.atoms.changes()));
+        }
+        Some(found.value.clone())
+    }
+
+    /// Keeps what was found.
+    pub(crate) fn keep(&mut self, system: &System, wording: Wording, found: V) {
+        let Some(now) = self.state(system) else {
+            return;
+        };
+        let then = Some(now).filter(|now| *now != wording.state);
+        let values = &mut self.memory.kept().values;
+        if values.len() >= MOST_KEPT {
+            values.clear();
+        }
+        values.insert(wording, Found { value: found, then });
+    }
+}

@@ -1,0 +1,139 @@
+//! Links that other documents of the same reading had before.
+
+use crate::algebra::{Argument, Combination, Reason};
+use crate::notation::ast::{Relation, Shape};
+use crate::verify::reading::Reading;
+use crate::verify::standing::chains::Link;
+use crate::verify::standing::hold::{Held, Sides};
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::memory::{Formula, Memory, Recall, Wording};
+use crate::verify::term::integrals::has_integral;
+use crate::verify::term::letters::Reach;
+
+/// What links came to whose proofs and sides have more terms is not kept.
+const MOST_TERMS: usize = 1_000;
+
+/// What links came to, for documents that begin with the same facts.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Links(Memory<Held>);
+
+/// The same, as one document uses it.
+#[derive(Debug)]
+pub(super) struct Recalled(Recall<Held>);
+
+impl Links {
+    /// A memory for what is read so, if a link is worth the same on every line.
+    pub(crate) fn of(reading: &Reading) -> Option<Self> {
+        let everywhere = |reach: &Reach| *reach == Reach::All;
+        let sizes = &reading.sizes;
+        let one = reading.letters.is_uniform()
+            && reading.premises.iter().all(|p| everywhere(&p.reach))
+            && reading.settled.is_empty()
+            && reading.unused.is_empty()
+            && reading.instants.all.is_empty()
+            && sizes.orders.is_empty()
+            && sizes.small.is_empty()
+            && sizes.remainders.is_empty();
+        one.then(Self::default)
+    }
+
+    /// For a document that is read so.
+    pub(super) fn used_by(self, reading: &mut Reading) -> Recalled {
+        Recalled(Recall::new(self.0, &mut reading.system))
+    }
+}
+
+impl Judge<'_> {
+    /// What one link is worth.
+    pub(super) fn hold(&mut self, link: &Link) -> Held {
+        let wording = self.wording(link);
+        if let Some(held) = self.recall(wording.as_ref()) {
+            return held;
+        }
+        let asked = self.reading.letters.written.times_asked();
+        let held = self.hold_anew(link);
+        // What hangs on other lines of the document is not the same in the next one.
+        if self.reading.letters.written.times_asked() == asked {
+            self.remember(wording, &held);
+        }
+        held
+    }
+
+    /// What a link is worth whose sides are worked out: the same for all writings of these.
+    pub(super) fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+        let plain = self.again.recalled.is_some()
+            && worked_out.unknown.is_empty()
+            && worked_out.settles.is_none()
+            && ![&link.left, &link.right].into_iter().any(has_integral);
+        let of = plain.then(|| Formula::of_sides(&worked_out.sides));
+        let wording = of.and_then(|of| self.beside(of));
+        if let Some(held) = self.recall(wording.as_ref()) {
+            return held;
+        }
+        let held = self.weigh_anew(link, worked_out);
+        self.remember(wording, &held);
+        held
+    }
+
+    /// A link as it is looked for; `None` for one that is not kept.
+    fn wording(&mut self, link: &Link) -> Option<Wording> {
+        let relation = link.relation;
+        if !matches!(relation, Relation::Equal | Relation::Defined) {
+            return None;
+        }
+        self.again.recalled.as_ref()?;
+        let mut shape = Shape::default();
+        shape.number(relation as usize);
+        shape.tree(&link.left)?;
+        shape.tree(&link.right)?;
+        self.beside(Formula::Tree(shape.into_bytes()))
+    }
+
+    /// A formula beside the variables that there are; `None` where lines of this document were taken into the facts.
+    fn beside(&mut self, of: Formula) -> Option<Wording> {
+        if self.facts.are_too_many || !self.reading.settled.is_empty() {
+            return None;
+        }
+        let recalled = self.again.recalled.as_mut()?;
+        recalled.0.wording(&self.reading.system, of)
+    }
+
+    fn recall(&mut self, wording: Option<&Wording>) -> Option<Held> {
+        let recalled = self.again.recalled.as_mut()?;
+        recalled.0.known(&mut self.reading.system, wording?)
+    }
+
+    fn remember(&mut self, wording: Option<Wording>, held: &Held) {
+        let alone = held.unknown.is_empty()
+            && held.settles.is_none()
+            && !held.beyond
+            && !self.facts.are_too_many;
+        let wording = wording.filter(|_| alone && terms(held) <= MOST_TERMS);
+        if let (Some(recalled), Some(wording)) = (&mut self.again.recalled, wording) {
+            recalled.0.keep(&self.reading.system, wording, held.clone());
+        }
+    }
+}
+
+/// How many terms a link and its proof have.
+fn terms(held: &Held) -> usize {
+    let sides = held.sides.iter().flat_map(|(left, right)| [left, right]);
+    let sides = sides.map(|side| side.numerator().len() + side.denominator().len());
+    let arguments = held.proof.iter().flat_map(|proof| proof.arguments());
+    sides.chain(arguments.map(terms_of)).sum()
+}
+
+fn terms_of(argument: &Argument) -> usize {
+    let facts = argument.facts.iter();
+    let facts = facts.map(|fact| match &fact.reason {
+        Reason::Combination(by) => fact.value.len() + terms_by(by),
+        _ => fact.value.len(),
+    });
+    let goals = argument.goals.iter().map(|goal| terms_by(&goal.by));
+    facts.chain(goals).sum()
+}
+
+fn terms_by(by: &Combination) -> usize {
+    let cofactors = by.cofactors.iter().map(|(_, cofactor)| cofactor.len());
+    by.multiplier.len() + cofactors.sum::<usize>()
+}
