@@ -28,8 +28,8 @@
 //! ```
 //!
 //! The rooms, each of which sees those above it: `result` (what is said of a student), `policy` (what the front matter of
-//! a key sets), `matching` (which line says what another says), `meaning` (what is declared
-//! of submissions), `key`, `paper` (the lines of one student and what each is
+//! a key sets), `matching` (which line says what another says), `remembered` (what lines of the class came to), `meaning`
+//! (what is declared of submissions), `key`, `paper` (the lines of one student and what each is
 //! worth), `rules` (what a careful marker does), `mark`.
 
 mod key;
@@ -38,6 +38,7 @@ mod matching;
 mod meaning;
 mod paper;
 mod policy;
+mod remembered;
 mod result;
 mod rules;
 mod size;

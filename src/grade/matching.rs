@@ -2,17 +2,22 @@
 
 use crate::algebra::{Fraction, Monomial, Variable};
 use crate::grade::meaning::{KeyLines, Meaning};
+use crate::grade::remembered::{Asked, Parts, Remembered};
 use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::{Apart, Said};
 use num_traits::{One, Zero};
 use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// Two lines with the same head are attempts at one if they share this part of their terms.
 const ALIKE_WITH_HEAD: f64 = 0.25;
 
 /// The same for lines of which one has no head, or another.
 const ALIKE: f64 = 0.6;
+
+/// Lines of more terms are not kept for the class.
+const MOST_TERMS: usize = 500;
 
 /// One component of a line: this vanishes.
 #[derive(Clone, Debug)]
@@ -22,23 +27,35 @@ pub(super) struct Part {
     pub(super) head: Option<Variable>,
     terms: BTreeSet<Monomial>,
     variables: Vec<Variable>,
+    /// Its number among those of the key.
+    number: Option<usize>,
 }
 
 /// What a line says, component by component; `None` where that is not worked out.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub(super) span: Span,
-    pub(super) parts: Option<Vec<Part>>,
+    pub(super) parts: Option<Arc<[Part]>>,
     /// Whether it says what a new letter is.
     pub(super) defines: bool,
     /// Whether it says that by letters of which nothing is told.
     pub(super) by_unknown: bool,
+    /// Its number among the lines of the class.
+    pub(super) number: Option<usize>,
+}
+
+impl Entry {
+    /// Its components, as far as they are worked out.
+    pub(super) fn components(&self) -> &[Part] {
+        self.parts.as_deref().unwrap_or_default()
+    }
 }
 
 /// The lines of the key and those of a student under one reading.
 pub(super) struct Board<'a> {
     apart: Apart<'a>,
-    pub(super) key: Vec<Entry>,
+    remembered: Remembered,
+    pub(super) key: Arc<[Entry]>,
     pub(super) own: Vec<Vec<Entry>>,
     /// Whether a student defines a letter of the key in another way.
     pub(super) conflict: bool,
@@ -63,19 +80,52 @@ impl Sheet<'_, '_> {
     }
 
     /// The entries of the lines, in their order.
-    fn entries(&self, apart: &mut Apart<'_>, said: &[Said]) -> Vec<Entry> {
+    fn entries(&self, said: &[Said], mut entry: impl FnMut(&Said) -> Entry) -> Vec<Entry> {
         let known: HashMap<Span, &Said> = said.iter().map(|said| (said.span, said)).collect();
         let lines = self.lines.iter();
         let entries = lines.map(|&span| match known.get(&span) {
-            Some(said) => entry(apart, said),
+            Some(said) => entry(said),
             None => Entry {
                 span,
                 parts: None,
                 defines: false,
                 by_unknown: false,
+                number: None,
             },
         });
         entries.collect()
+    }
+
+    /// The entries of the lines of a key, whose components are numbered.
+    fn entries_of_key(
+        &self,
+        apart: &mut Apart<'_>,
+        said: &[Said],
+        remembered: &Remembered,
+    ) -> Arc<[Entry]> {
+        let state = apart.state();
+        if let Some(known) = state.and_then(|state| remembered.key(state)) {
+            return known;
+        }
+        let changes = apart.changes();
+        let mut numbers = 0..;
+        let entries = self.entries(said, |said| {
+            let mut entry = entry(apart, said);
+            entry.parts = entry.parts.map(|parts| {
+                let parts = parts.iter().cloned().zip(&mut numbers);
+                let numbered = parts.map(|(part, number)| Part {
+                    number: Some(number),
+                    ..part
+                });
+                numbered.collect()
+            });
+            entry
+        });
+        let entries: Arc<[Entry]> = entries.into();
+        if let Some(state) = state.filter(|_| apart.changes() == changes) {
+            remembered.keep_key(state, &entries);
+        }
+        entries
     }
 }
 
@@ -84,6 +134,7 @@ impl<'a> Board<'a> {
         let KeyLines {
             worked_out,
             said: of_key,
+            remembered,
         } = meaning.key_lines(&key);
         let mut apart = Apart::after(key.document, worked_out);
         let of_own: Vec<Vec<Said>> = own
@@ -103,13 +154,14 @@ impl<'a> Board<'a> {
             given.extend(defined);
             apart.settle(&given);
         }
-        let key = key.entries(&mut apart, of_key);
+        let key = key.entries_of_key(&mut apart, of_key, remembered);
         let own = own.iter().zip(&of_own);
         let own = own
-            .map(|(sheet, said)| sheet.entries(&mut apart, said))
+            .map(|(sheet, said)| sheet.entries(said, |said| known(&mut apart, said, remembered)))
             .collect();
         Self {
             apart,
+            remembered: remembered.clone(),
             key,
             own,
             conflict,
@@ -118,7 +170,25 @@ impl<'a> Board<'a> {
 
     /// Whether a line alone says this.
     pub(super) fn says(&mut self, entry: &Entry, goal: &Part) -> bool {
-        let parts = entry.parts.as_deref().unwrap_or_default();
+        let asked = entry.number.zip(goal.number);
+        let asked = asked.and_then(|(line, goal)| {
+            let state = self.apart.state()?;
+            Some(Asked { state, line, goal })
+        });
+        if let Some(answer) = asked.and_then(|asked| self.remembered.answer(asked)) {
+            return answer;
+        }
+        let changes = self.apart.changes();
+        let answer = self.finds(entry, goal);
+        if let Some(asked) = asked.filter(|_| self.apart.changes() == changes) {
+            self.remembered.keep_answer(asked, answer);
+        }
+        answer
+    }
+
+    /// The same, worked out.
+    fn finds(&mut self, entry: &Entry, goal: &Part) -> bool {
+        let parts = entry.components();
         if goal.residual.is_zero() {
             return false;
         }
@@ -152,7 +222,7 @@ impl<'a> Board<'a> {
 
     /// Whether letters of which nothing is told stand in a line.
     pub(super) fn has_unknown(&self, entry: &Entry) -> bool {
-        let parts = entry.parts.iter().flatten();
+        let parts = entry.components().iter();
         let mut variables = parts.flat_map(|part| &part.variables);
         variables.any(|&variable| self.apart.is_unknown(variable))
     }
@@ -167,6 +237,7 @@ impl Part {
             residual,
             head,
             terms,
+            number: None,
         }
     }
 
@@ -202,6 +273,28 @@ impl Part {
     }
 }
 
+/// The entry of a line, if one of the class said the same before; else it is worked out.
+fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
+    let wording = apart.wording(said);
+    if let Some(Parts { parts, number }) = wording.as_ref().and_then(|q| remembered.line(q)) {
+        return Entry {
+            span: said.span,
+            parts,
+            defines: false,
+            by_unknown: false,
+            number: Some(number),
+        };
+    }
+    let changes = apart.changes();
+    let mut entry = entry(apart, said);
+    let terms = entry.components().iter().map(|part| part.terms.len());
+    let same = apart.changes() == changes && terms.sum::<usize>() <= MOST_TERMS;
+    if let Some(wording) = wording.filter(|_| same) {
+        entry.number = Some(remembered.keep_line(wording, entry.parts.clone()));
+    }
+    entry
+}
+
 fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
     let sides = said.sides.as_ref();
     let by_unknown = said.defines && sides.is_some_and(|sides| tells_unknown(apart, sides));
@@ -217,6 +310,7 @@ fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
         parts: sides.and_then(|sides| sides.iter().map(part).collect()),
         defines: said.defines,
         by_unknown,
+        number: None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! What a key declares of submissions, and what its own lines say by that: worked out once for a class.
 
 use crate::grade::matching::Sheet;
+use crate::grade::remembered::Remembered;
 use crate::notation::document::Document;
 use crate::verify::{self, Apart, Declared, Finding, Report, Said, Shared, WorkedOut};
 use std::cell::OnceCell;
@@ -17,6 +18,8 @@ pub(super) struct Meaning {
 pub(super) struct KeyLines {
     pub(super) worked_out: WorkedOut,
     pub(super) said: Vec<Said>,
+    /// What lines came to beside them.
+    pub(super) remembered: Remembered,
 }
 
 impl Meaning {
@@ -61,6 +64,7 @@ impl Meaning {
             KeyLines {
                 worked_out: apart.worked_out(&key.given_of(&said)),
                 said,
+                remembered: Remembered::default(),
             }
         })
     }

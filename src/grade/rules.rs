@@ -50,7 +50,7 @@ pub(super) struct Marker<'a> {
 
 /// How many components a line has.
 fn components(entry: &Entry) -> usize {
-    entry.parts.as_ref().map_or(0, Vec::len)
+    entry.components().len()
 }
 
 fn decision(outcome: Outcome, line: Option<usize>, reason: impl Into<String>) -> Decision {
@@ -136,9 +136,9 @@ impl<'a> Marker<'a> {
             return vec![];
         }
         let mut attempts = vec![];
-        for (at, part) in self.entry(line).parts.iter().flatten().enumerate() {
+        for (at, part) in self.entry(line).components().iter().enumerate() {
             let goals = self.board.key.iter().enumerate().flat_map(|(line, entry)| {
-                let parts = entry.parts.iter().flatten().enumerate();
+                let parts = entry.components().iter().enumerate();
                 parts.map(move |(part, own)| (Goal { line, part }, own))
             });
             let like: Vec<(Goal, f64)> = goals
@@ -172,12 +172,8 @@ impl<'a> Marker<'a> {
             .lines
             .iter()
             .flat_map(|&line| {
-                let parts = self
-                    .board
-                    .key
-                    .get(line)
-                    .and_then(|entry| entry.parts.as_ref());
-                (0..parts.map_or(0, Vec::len)).map(move |part| Goal { line, part })
+                let most = self.board.key.get(line).map_or(0, components);
+                (0..most).map(move |part| Goal { line, part })
             })
             .filter(|goal| self.goal(*goal).is_some_and(Part::says_something))
             .collect();
@@ -263,7 +259,7 @@ impl<'a> Marker<'a> {
                 own.is_multiple_of(part) || own.head.is_some() && own.head == part.head
             };
             // The vector of which it is a component only implies it.
-            match components(&entry) <= most && entry.parts.iter().flatten().any(is_it) {
+            match components(&entry) <= most && entry.components().iter().any(is_it) {
                 true => direct.push(line),
                 false => implied.push(line),
             }

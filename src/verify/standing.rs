@@ -8,6 +8,7 @@ pub(crate) mod deny;
 pub(crate) mod either;
 pub(crate) mod extents;
 pub(crate) mod fewer;
+pub(crate) mod heard;
 pub(crate) mod hold;
 pub(crate) mod indices;
 pub(crate) mod judge;

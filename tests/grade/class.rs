@@ -197,6 +197,18 @@ fn truth(own: &Beliefs) -> [&'static str; 4] {
 }
 
 /// What came of some students: right, waiting, and what is wrong.
+/// One student, and what is handed in.
+fn student(seed: u64) -> (Beliefs, Work) {
+    let mut random = Random(seed);
+    let own = Beliefs {
+        turn: random.belief(),
+        momentum: [(); 5].map(|()| random.belief()),
+        answer: random.belief(),
+    };
+    let text = submission(&mut random, &own);
+    (own, Work::of_text("s", "s.md", Format::Markdown, &text))
+}
+
 #[derive(Default)]
 struct Tally {
     right: usize,
@@ -208,14 +220,9 @@ impl Tally {
     fn of(key: &Key, seeds: std::ops::Range<u64>) -> Self {
         let mut tally = Self::default();
         for seed in seeds {
-            let mut random = Random(seed);
-            let own = Beliefs {
-                turn: random.belief(),
-                momentum: [(); 5].map(|()| random.belief()),
-                answer: random.belief(),
-            };
-            let text = submission(&mut random, &own);
-            let graded = mark(key, &Work::of_text("s", "s.md", Format::Markdown, &text));
+            let (own, work) = student(seed);
+            let text = &work.texts[0].text;
+            let graded = mark(key, &work);
             for (milestone, expected) in graded.milestones.iter().zip(truth(&own)) {
                 let (label, why) = (&milestone.label, &milestone.reason);
                 match milestone.outcome.name() {
@@ -261,4 +268,18 @@ fn no_wrong_mark_is_given_in_silence() {
         right * 100 >= (right + waiting) * 99,
         "{right} right, {waiting} wait"
     );
+}
+
+#[test]
+fn what_is_said_of_a_student_does_not_hang_on_who_was_marked_before() {
+    let alone = |seed: u64| mark(&key(KEY), &student(seed).1);
+    let alone: Vec<_> = (0..40).map(alone).collect();
+    let (forwards, backwards) = (key(KEY), key(KEY));
+    for seed in 0..40 {
+        let other = 39 - seed;
+        for (key, seed) in [(&forwards, seed), (&backwards, other)] {
+            let graded = mark(key, &student(seed).1);
+            assert_eq!(graded, alone[seed as usize], "student {seed}");
+        }
+    }
 }

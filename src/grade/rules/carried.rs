@@ -22,9 +22,10 @@ impl Marker<'_> {
         Carried {
             entry: Entry {
                 span,
-                parts: Some(parts),
+                parts: Some(parts.into()),
                 defines: false,
                 by_unknown: false,
+                number: None,
             },
             wrong,
         }
@@ -39,7 +40,8 @@ impl Marker<'_> {
     ) -> Vec<Part> {
         let mut parts = vec![];
         for step in self.route(line).to_vec() {
-            let own = self.board.key[step].parts.clone().unwrap_or_default();
+            let own = self.board.key[step].parts.clone();
+            let own = own.as_deref().unwrap_or_default();
             let mut replaced = vec![];
             let known = wrong.len();
             for (at, part) in own.iter().enumerate() {

@@ -1,6 +1,6 @@
 //! What is written twice, what is not found, and what stays open.
 
-use crate::grade::matching::Part;
+use crate::grade::matching::{Entry, Part};
 use crate::grade::paper::Worth;
 use crate::grade::result::Outcome;
 use crate::grade::rules::{Decision, Goal, Marker, decision};
@@ -104,11 +104,7 @@ impl Marker<'_> {
         let Some(own) = &self.entry(line).parts else {
             return true;
         };
-        let keys = self
-            .board
-            .key
-            .iter()
-            .flat_map(|entry| entry.parts.iter().flatten());
+        let keys = self.board.key.iter().flat_map(Entry::components);
         let keys: Vec<&Part> = keys.collect();
         let matched = |own: &Part| keys.iter().any(|key| own.is_multiple_of(key));
         own.iter().any(|own| {

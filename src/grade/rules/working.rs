@@ -97,8 +97,12 @@ impl Marker<'_> {
         for &at in &before {
             let entry = self.entry(at).clone();
             for &step in &way {
-                let parts = self.board.key[step].parts.clone().unwrap_or_default();
-                if parts.iter().any(|part| self.board.says(&entry, part)) {
+                let key = self.board.key.clone();
+                if key[step]
+                    .components()
+                    .iter()
+                    .any(|part| self.board.says(&entry, part))
+                {
                     return true;
                 }
             }

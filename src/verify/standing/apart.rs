@@ -13,13 +13,15 @@ use crate::verify::facts::premises::{Extended, Facts};
 use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::{Nature, fraction};
 use crate::verify::standing::chains::Chain;
+use crate::verify::standing::hold::Sides;
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::memory::{Memory, Recall};
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
 use crate::verify::term::letters::At;
 use num_traits::Zero;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 /// No rate of a letter is higher.
 const MOST_RATES: usize = 8;
@@ -41,14 +43,20 @@ pub(crate) struct WorkedOut {
     prepared: Prepared,
     /// What was taken in.
     settled: Vec<(Fraction, Source)>,
+    /// The sides of links, if a link has the same on every line.
+    sides: Option<Memory<Sides>>,
 }
 
 /// Documents under one reading, in which laws say nothing.
 pub(crate) struct Apart<'a> {
-    judge: Judge<'a>,
+    pub(super) judge: Judge<'a>,
     facts: Facts,
     /// What was taken in.
     settled: Vec<(Fraction, Source)>,
+    /// The sides of links in other documents that go on from the same.
+    pub(super) recalled: Option<Recall<Sides>>,
+    /// Whether nothing but that was taken in from which it goes on.
+    pub(super) is_fresh: bool,
 }
 
 impl<'a> Apart<'a> {
@@ -60,6 +68,8 @@ impl<'a> Apart<'a> {
             judge: Judge::over(document, Part::default(), prepared),
             facts: Facts::default(),
             settled: vec![],
+            recalled: None,
+            is_fresh: false,
         }
     }
 
@@ -67,10 +77,15 @@ impl<'a> Apart<'a> {
     pub(crate) fn after(document: &'a Document, worked_out: &WorkedOut) -> Self {
         let mut prepared = worked_out.prepared.clone();
         let facts = std::mem::take(&mut prepared.facts);
+        let system = &mut prepared.reading.system;
+        let sides = worked_out.sides.clone();
+        let recalled = sides.map(|sides| Recall::new(sides, system));
         Self {
             judge: Judge::over(document, Part::default(), prepared),
             facts,
             settled: worked_out.settled.clone(),
+            recalled,
+            is_fresh: true,
         }
     }
 
@@ -80,6 +95,7 @@ impl<'a> Apart<'a> {
         reading.system.set_dimensions(3);
         known.work_out(&reading.letters, &mut reading.system);
         self.settle(definitions);
+        let uniform = self.judge.reading.letters.is_uniform();
         let prepared = Prepared {
             reading: self.judge.reading,
             known: self.judge.known,
@@ -89,6 +105,7 @@ impl<'a> Apart<'a> {
         WorkedOut {
             prepared,
             settled: self.settled,
+            sides: uniform.then(Memory::default),
         }
     }
 
@@ -132,11 +149,13 @@ impl<'a> Apart<'a> {
         let (mut sides, mut defines) = (Some(vec![]), false);
         for link in &links {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
-            let worked_out = equal.then(|| self.judge.sides(link, &BTreeSet::new()));
+            let worked_out = equal.then(|| self.sides_of(link));
             match (worked_out, &mut sides) {
                 (Some(Ok(one)), Some(all)) => {
                     if let Some((letter, left, _)) = &one.settles {
                         self.judge.known.shapes.insert(letter.clone(), left.shape());
+                        // What has a shape by a line of this document has none in others.
+                        self.recalled = None;
                         defines = true;
                     }
                     all.extend(one.sides);
@@ -164,6 +183,7 @@ impl<'a> Apart<'a> {
         if premises == self.settled && !premises.is_empty() {
             return;
         }
+        self.is_fresh = false;
         self.facts = Facts::lawless();
         let atoms = &mut self.judge.reading.system.atoms;
         self.facts.extend_all(atoms, premises.clone());

@@ -1,0 +1,86 @@
+//! What lines of students came to beside those of the key, kept for the class: many write the same.
+
+use crate::grade::matching::{Entry, Part};
+use crate::verify::Wording;
+use foldhash::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// When more lines are kept, all of them are forgotten: what is common comes back soon.
+const MOST_LINES: usize = 600;
+
+/// The same of answers whether a line says what a line of the key does.
+const MOST_ANSWERS: usize = 20_000;
+
+/// What is kept. All who mark a class share it.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Remembered(Arc<Mutex<Kept>>);
+
+#[derive(Debug, Default)]
+struct Kept {
+    /// The lines of the key, by the number of the variables.
+    key: HashMap<usize, Arc<[Entry]>>,
+    lines: HashMap<Wording, Parts>,
+    /// How many lines were numbered so far.
+    numbered: usize,
+    answers: HashMap<Asked, bool>,
+}
+
+/// The components of a line, and its number.
+#[derive(Clone, Debug)]
+pub(super) struct Parts {
+    pub(super) parts: Option<Arc<[Part]>>,
+    pub(super) number: usize,
+}
+
+/// Whether a line alone says a component of the key's: by the number of the variables, and by the numbers of both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Asked {
+    pub(super) state: usize,
+    pub(super) line: usize,
+    pub(super) goal: usize,
+}
+
+impl Remembered {
+    fn with<T>(&self, look: impl FnOnce(&mut Kept) -> T) -> T {
+        // Nothing in it is ever half done.
+        look(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    pub(super) fn key(&self, state: usize) -> Option<Arc<[Entry]>> {
+        self.with(|kept| kept.key.get(&state).cloned())
+    }
+
+    pub(super) fn keep_key(&self, state: usize, entries: &Arc<[Entry]>) {
+        self.with(|kept| kept.key.insert(state, entries.clone()));
+    }
+
+    pub(super) fn line(&self, wording: &Wording) -> Option<Parts> {
+        self.with(|kept| kept.lines.get(wording).cloned())
+    }
+
+    /// Keeps the components of a line, and numbers them.
+    pub(super) fn keep_line(&self, wording: Wording, parts: Option<Arc<[Part]>>) -> usize {
+        self.with(|kept| {
+            if kept.lines.len() >= MOST_LINES {
+                kept.lines.clear();
+            }
+            let number = kept.numbered;
+            kept.numbered += 1;
+            kept.lines.insert(wording, Parts { parts, number });
+            number
+        })
+    }
+
+    pub(super) fn answer(&self, asked: Asked) -> Option<bool> {
+        self.with(|kept| kept.answers.get(&asked).copied())
+    }
+
+    pub(super) fn keep_answer(&self, asked: Asked, answer: bool) {
+        self.with(|kept| {
+            if kept.answers.len() >= MOST_ANSWERS {
+                kept.answers.clear();
+            }
+            kept.answers.insert(asked, answer);
+        });
+    }
+}
