@@ -1,6 +1,6 @@
 //! Checks a document whose meaning is declared: each line is judged by the facts, and what is not known is asked.
 
-use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
@@ -16,7 +16,7 @@ use crate::verify::term::letters::At;
 use crate::verify::verdict::{
     Convention, Finding, Passed, Question, Report, Role, Unused, Verdict,
 };
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 mod judgment;
 
@@ -278,24 +278,26 @@ impl Rows<'_> {
 
     /// A letter as the author writes it first.
     fn as_written<'s>(&'s mut self, letter: &'s str) -> &'s str {
+        let mut seen = HashSet::new();
         for side in std::mem::take(&mut self.unwritten) {
-            self.note(side);
+            self.note(side, &mut seen);
         }
         self.written.get(letter).map_or(letter, String::as_str)
     }
 
-    /// Notes how the author writes the letters of a tree.
-    fn note(&mut self, node: &Node) {
-        if let Kind::Symbol(_) = &node.kind {
+    /// Notes how the author writes the letters of a tree; those that were seen are printed as before, and the first counts.
+    fn note<'n>(&mut self, node: &'n Node, seen: &mut HashSet<&'n Symbol>) {
+        if let Kind::Symbol(symbol) = &node.kind {
             let written = self.document.source.slice(node.span).trim();
-            if !written.is_empty() && written.len() <= LONGEST_LETTER {
+            if !written.is_empty() && written.len() <= LONGEST_LETTER && seen.insert(symbol) {
                 let printed = latex(node);
                 self.written
                     .entry(printed)
                     .or_insert_with(|| written.to_owned());
             }
         }
-        node.children().for_each(|child| self.note(child));
+        let children = node.children();
+        children.for_each(|child| self.note(child, seen));
     }
 
     /// Each letter of which nothing is told and for which lines wait, that for which most wait first.

@@ -225,13 +225,13 @@ impl Shared {
 
     /// The reading of a document.
     fn reading(&self, document: &Document) -> (Prepared, Arc<OwnLetters>) {
+        let written = written_symbols(document);
         let mut readings = self.readings.borrow_mut();
         let known = readings.iter().find_map(|read| {
-            let prepared = read.prepared.for_document(document)?;
+            let prepared = read.prepared.for_writing(&written)?;
             Some((prepared, read.own.clone()))
         });
         known.unwrap_or_else(|| {
-            let written = written_symbols(document);
             let mut prepared = Prepared::new(&self.declared.declarations, written, 0);
             prepared.work_out();
             let own = OwnLetters::of(&self.bare, &mut prepared.reading, &mut prepared.known);

@@ -1,12 +1,10 @@
 //! What sentences make of a document before any line of it is looked at.
 
-use crate::notation::document::Document;
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::Declaration;
 use crate::verify::reading::Reading;
 use crate::verify::reading::builder::build;
 use crate::verify::standing::recalled::Links;
-use crate::verify::standing::written::written_symbols;
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::At;
 use std::collections::BTreeSet;
@@ -50,13 +48,12 @@ impl Prepared {
         self.links = Links::of(&self.reading);
     }
 
-    /// The same for another document, if it would be read alike.
-    pub(crate) fn for_document(&self, document: &Document) -> Option<Self> {
-        let written = written_symbols(document);
+    /// The same for a document that writes other symbols, if it would be read alike.
+    pub(crate) fn for_writing(&self, written: &BTreeSet<String>) -> Option<Self> {
         let letters = &self.reading.letters;
-        letters.written.answers_as(&written).then(|| {
+        letters.written.answers_as(written).then(|| {
             let mut own = self.clone();
-            own.reading.letters.written.replace(written);
+            own.reading.letters.written.replace(written.clone());
             own
         })
     }
