@@ -40,7 +40,7 @@ use super::rewrite::plainly;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
-use super::spins::{tell_axes_through_points, turn_about_axes_of_symmetry};
+use super::spins::turn_about_axes_of_symmetry;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::suspended::tell_suspended;
 use super::together::join_together;
@@ -173,7 +173,6 @@ fn in_plain_terms(
     mount_wheels(&mut declarations);
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);
-    tell_axes_through_points(&mut declarations);
     turn_about_axes_of_symmetry(&mut declarations);
     say_in_parts(declarations)
 }

@@ -16,8 +16,6 @@ pub(crate) const EXTRA_INVERSE: &str = "an inverse too many";
 pub(crate) const EXTRA_TWO: &str = "a factor 2 too many";
 pub(crate) const EXTRA_HALF: &str = "a factor ½ too many";
 
-pub(crate) const VALUE_AT_INSTANT: &str = "a value at an instant";
-pub(crate) const WITHOUT_INSTANT: &str = "a letter that changes without a label of its instant";
 pub(crate) const OTHER_INSTANTS: &str = "values at these instants";
 pub(crate) const SQUARES_DIFFER: &str = "the squares of the sides differ";
 pub(crate) const OPEN_RELATION: &str = "this relation is not decided";

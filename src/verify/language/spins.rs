@@ -9,7 +9,7 @@ const MASS_CENTRE: &str = "mass centre";
 
 /// "The axis of the disc passes through O", where n is the unit vector from there to its mass centre: the disc is symmetric
 /// about n.
-pub(crate) fn tell_axes_through_points(declarations: &mut [Declaration]) {
+fn tell_axes_through_points(declarations: &mut [Declaration]) {
     let told: Vec<Option<Statement>> = declarations
         .iter()
         .map(|declaration| axis_through(declaration, declarations))
@@ -56,6 +56,7 @@ fn axis_through(declaration: &Declaration, all: &[Declaration]) -> Option<Statem
 
 /// "`$n$` is fixed in A. The disc is symmetric about `$n$`": the disc turns relative to A about n.
 pub(crate) fn turn_about_axes_of_symmetry(declarations: &mut Vec<Declaration>) {
+    tell_axes_through_points(declarations);
     let spins: Vec<Declaration> = declarations
         .iter()
         .filter_map(|declaration| spin(declaration, declarations))

@@ -37,6 +37,19 @@ impl Builder<'_> {
         easy
     }
 
+    /// The frame that is worked in where no sentence speaks of components.
+    fn frame_without_components(&self, body: Option<FrameId>) -> FrameId {
+        let spinning = self.reading.system.bodies.iter().filter_map(|body| {
+            let frame = body.frame?;
+            let calm = self.without_spin(frame);
+            (calm != frame).then_some(calm)
+        });
+        body.map(|frame| self.without_spin(frame))
+            .or_else(|| self.frame_of_only_body())
+            .or_else(|| spinning.into_iter().next())
+            .unwrap_or(self.reading.system.ground)
+    }
+
     /// The frame against which a body that rolls turns about its axis of symmetry: there the spin is not seen.
     fn without_spin(&self, frame: FrameId) -> FrameId {
         let parent = self.reading.system.frames[frame].parent;
@@ -110,18 +123,8 @@ impl Builder<'_> {
                 **frame,
             )
         });
-        let calm = body.map(|frame| self.without_spin(frame));
-        let work = best.map(|(frame, _)| *frame).or(calm);
-        let calm = self.reading.system.bodies.iter().filter_map(|body| {
-            let frame = body.frame?;
-            let calm = self.without_spin(frame);
-            (calm != frame).then_some(calm)
-        });
-        let calm = calm.into_iter().next();
-        let work = work
-            .or_else(|| self.frame_of_only_body())
-            .or(calm)
-            .unwrap_or(self.reading.system.ground);
+        let best = best.map(|(frame, _)| *frame);
+        let work = best.unwrap_or_else(|| self.frame_without_components(body));
         self.reading.system.work = work;
         self.reading.letters.component_frame = match score.is_empty() {
             true => body.unwrap_or(work),

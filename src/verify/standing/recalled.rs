@@ -31,6 +31,7 @@ impl Links {
             && reading.settled.is_empty()
             && reading.unused.is_empty()
             && reading.instants.all.is_empty()
+            && reading.letters.instants.is_empty()
             && sizes.orders.is_empty()
             && sizes.small.is_empty()
             && sizes.remainders.is_empty();

@@ -4,14 +4,13 @@
 use crate::algebra::{Fraction, Place, Variable};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::print;
-use crate::verify::language::messages::VALUE_AT_INSTANT;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::component_text;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{At, Effect, Letters, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
-use crate::verify::term::value::{Basis, Value, Valued, beyond};
+use crate::verify::term::value::{AT_INSTANT, Basis, Value, Valued, beyond};
 use num_traits::Zero;
 
 /// At which instant what stands on a line is.
@@ -78,7 +77,7 @@ impl Lowering<'_> {
                 let text = print::latex(&symbol_node(symbol));
                 self.kept_from(known, &text)
             }
-            Present::Untold => beyond(VALUE_AT_INSTANT),
+            Present::Untold => beyond(AT_INSTANT),
         })
     }
 

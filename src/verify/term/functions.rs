@@ -4,12 +4,13 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
-use crate::verify::language::messages::VALUE_AT_INSTANT;
 use crate::verify::model::frames::{about_axis, about_vector};
 use crate::verify::model::system::Matrix;
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{
+    AT_INSTANT, Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond,
+};
 use num_traits::{One, ToPrimitive, Zero};
 use std::ops::Range;
 
@@ -59,7 +60,7 @@ impl Lowering<'_> {
             Function::Cot => cosine / sine,
             Function::Sec => one / cosine,
             Function::Csc => one / sine,
-            _ => return beyond("this function"),
+            _ => return beyond(OTHER_ARGUMENT),
         };
         Ok(Value::scalar(value))
     }
@@ -133,7 +134,7 @@ impl Lowering<'_> {
         let right = self.value(argument)?;
         // `\omega(0)` is no product.
         if right.is_zero() && !left.is_zero() && self.changes(&left) {
-            return beyond(VALUE_AT_INSTANT);
+            return beyond(AT_INSTANT);
         }
         let custom = self.custom();
         self.joined(&left, Sign::Juxtaposed, &right, custom)

@@ -1,13 +1,12 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
 use crate::notation::ast::Symbol;
-use crate::verify::language::messages::WITHOUT_INSTANT;
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
 use crate::verify::term::letters::{Letters, Meaning};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Shape, Value, Valued, beyond};
+use crate::verify::term::value::{AT_INSTANT, Shape, Value, Valued, beyond};
 use foldhash::HashMap;
 use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
@@ -93,7 +92,7 @@ impl Lowering<'_> {
             let value = self.new_symbol(symbol)?;
             let told = self.is_on_line() && self.unknown.is_empty();
             return match told && self.stands_at_no_instant(symbol, &value) {
-                true => beyond(WITHOUT_INSTANT),
+                true => beyond(AT_INSTANT),
                 false => Ok(value),
             };
         }

@@ -2,12 +2,11 @@
 
 use crate::notation::ast::{Node, Symbol};
 use crate::notation::print;
-use crate::verify::language::messages::VALUE_AT_INSTANT;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
-use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
 
 /// Labels that number the axes of whatever frame is meant.
 const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
@@ -187,7 +186,7 @@ impl Lowering<'_> {
             }
             Effect::RateSeenFrom(frame) => self.system.rate_of_value(&value, *frame)?,
             Effect::CrossProductMatrix => value.cross_product_matrix()?,
-            Effect::AtInstant(_) => return beyond(VALUE_AT_INSTANT),
+            Effect::AtInstant(_) => return beyond(AT_INSTANT),
             Effect::Itself => value,
         })
     }

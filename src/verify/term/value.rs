@@ -77,6 +77,9 @@ pub(crate) fn ill_typed<T>(message: impl Into<String>) -> Result<T, Trouble> {
 /// Why something is not worked out that has too many terms.
 pub(crate) const GROWN: &str = "this grew beyond what is worked out";
 
+/// Why a letter has no value that is taken at an instant, or at none beside others that are.
+pub(crate) const AT_INSTANT: &str = "a value at an instant";
+
 /// Why a function has no value.
 pub(crate) const OTHER_ARGUMENT: &str = "this function of this argument";
 

@@ -119,11 +119,10 @@ $$ p = \dot\phi + \dot\psi \sin\theta $$
 fn a_letter_with_a_meaning_in_each_part_is_spoken_of_in_each() {
     let sentences = "N is an inertial frame.
 B is a frame fixed in the rotor.
-C is a frame fixed in the hub.
 G is the mass centre of the rotor.
-H is the mass centre of the hub.
+O is a point fixed in B.
 On line 2 $J$ is the inertia tensor of the rotor about G in components on B.
-On line 4 $J$ is the inertia tensor of the hub about H in components on C.
+On line 4 $J$ is the inertia tensor of the rotor about O in components on B.
 $a$ is the entry (1, 1) of $J$.
 ";
     let text = "\n$$ a = J_{11} $$\n\n$$ a = J_{11} $$\n";
