@@ -2,6 +2,7 @@
 
 use super::clause::as_formula;
 use super::decide::decide;
+use super::is_body;
 use super::lexicon::{Class, Entry, Inflection};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, Read, Reader};
@@ -206,7 +207,9 @@ impl<'a> Reader<'a> {
             self.tail(entry, &mut behind)?;
         }
         let one = |(subject, mut what): (&Term, NounPhrase)| {
-            if what.slots.is_empty() {
+            // An inertial frame and a frame fixed in the body are each by itself.
+            let thing = matches!(what.head, "frame" | "point") || is_body(what.head);
+            if what.slots.is_empty() && !thing {
                 what.slots.clone_from(&last);
             }
             what.slots.extend(behind.iter().cloned());

@@ -17,6 +17,8 @@ pub(crate) struct Instants {
     pub(crate) untied: BTreeSet<Variable>,
     /// How often first integrals were looked for.
     pub(crate) tries: usize,
+    /// Whether a sentence or a given line tells something of values that labels take at instants.
+    pub(crate) labelled: bool,
     /// The instant whose values are in force, and how many these are.
     pub(crate) taken: Option<(usize, usize)>,
 }

@@ -138,6 +138,15 @@ pub(crate) fn node_of(formula: &Formula) -> Option<&Node> {
     }
 }
 
+/// The tree of a formula, or those of its sides.
+pub(crate) fn nodes_of(formula: &Formula) -> &[Node] {
+    match &formula.row {
+        Row::Expression(node) => std::slice::from_ref(node),
+        Row::Line(line) => &line.sides,
+        Row::Unreadable { .. } => &[],
+    }
+}
+
 /// The letter of an index: the i of "wheel $i$".
 pub(crate) fn index_letter(formula: &Formula) -> String {
     match node_of(formula).map(|node| &node.kind) {

@@ -8,9 +8,9 @@ use crate::verify::language::statement::{
 };
 use crate::verify::language::{is_bodily, only_names};
 use crate::verify::reading::bodies_read::WHOLES;
-use crate::verify::reading::builder::{Builder, MOST_TERMS};
+use crate::verify::reading::builder::{Builder, MOST_TERMS, place_in};
 use crate::verify::reading::corners_read::CORNER;
-use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::unused::{Touches, Unused, carries};
 use crate::verify::term::letters::{labelled_letter, letter_names, spelled};
 use std::collections::BTreeSet;
@@ -39,9 +39,34 @@ const UNPLACED: [&str; 8] = [
 const MOST_BEYOND: usize = 4;
 
 impl Builder<'_> {
+    /// Values at instants that labels mean: what is told of them is not worked with.
+    fn say_instants_unheard(&mut self) {
+        if self.reading.letters.instants.is_empty() {
+            return;
+        }
+        for declaration in self.declarations {
+            let formulas = match &declaration.statement {
+                Statement::Holds(formula) => vec![formula],
+                statement => statement
+                    .terms()
+                    .into_iter()
+                    .filter_map(in_formula)
+                    .collect(),
+            };
+            let at = place_in(&reach_of(&declaration.extent));
+            let letters = &self.reading.letters;
+            let mut nodes = formulas.into_iter().flat_map(nodes_of);
+            if nodes.any(|node| letters.speaks_of_instant(node, &at)) {
+                self.reading.instants.labelled = true;
+                self.say_unused(declaration);
+            }
+        }
+    }
+
     /// Verbs and nouns for which the model has no law yet.
     pub(super) fn say_unheard(&mut self) {
         let inclined = self.is_tilted();
+        self.say_instants_unheard();
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does {

@@ -36,9 +36,17 @@ impl Judge<'_> {
         if !known || instants.len() > 2 {
             return Some(Held::open(OTHER_INSTANTS));
         }
-        Some(match self.difference_at(link, last) {
+        let held = match self.difference_at(link, last) {
             Ok((difference, unknown)) => self.hold_difference(link, difference, &unknown),
             Err(untold) => self.hold_sides(link, Err(untold)),
+        };
+        if held.standing == Standing::Denied && self.reading.instants.labelled {
+            return Some(Held::open(OTHER_INSTANTS));
+        }
+        // What is told of one instant, or of two, is no fact of all times.
+        Some(Held {
+            sides: vec![],
+            ..held
         })
     }
 

@@ -96,50 +96,67 @@ impl Judge<'_> {
             .into_iter()
             .any(|angle| angle.variables().iter().any(told));
         let orders = self.orders();
+        // A length may have the value of the other side where its square has.
+        if self.agrees_by_squares(held) {
+            return;
+        }
         let atoms = &mut self.reading.system.atoms;
         match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {
                 held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+                if held.shown.is_none() {
+                    held.doubt = Some(messages::NO_NUMBERS.into());
+                }
             }
             // Roots and lengths may still make it true.
-            None if !hidden && self.decide_by_squares(held, &orders) => {}
-            None => held.doubt = Some("no numbers were found in which it fails".into()),
+            None if !hidden && self.differs_by_squares(held, &orders) => {}
+            None => held.doubt = Some(messages::NO_NUMBERS.into()),
         }
     }
 
-    /// Whether the squares of the sides tell: what has other squares is not the same, and what is no less than zero is the
-    /// same where its square is.
-    fn decide_by_squares(&mut self, held: &mut Held, orders: &[Fraction]) -> bool {
-        let square = |f: &Fraction| f.clone() * f.clone();
+    /// The squares of the sides, where these have roots or lengths.
+    fn squares(&self, held: &Held) -> Option<Vec<(Fraction, Fraction)>> {
         let atoms = &self.reading.system.atoms;
         let root = |v: Variable| matches!(atoms.atom(v).nature, Nature::Root(_));
-        let mut all = held.sides.iter().flat_map(|(l, r)| [l, r]);
-        if !all.any(|side| {
-            side.variables()
-                .into_iter()
-                .any(|v| root(v) || atoms.is_length(v))
-        }) {
+        let has_root = |side: &Fraction| {
+            let mut letters = side.variables().into_iter();
+            letters.any(|v| root(v) || atoms.is_length(v))
+        };
+        let mut sides = held.sides.iter();
+        let any = sides.any(|(l, r)| has_root(l) || has_root(r));
+        let square = |f: &Fraction| f.clone() * f.clone();
+        let sides = held.sides.iter();
+        any.then(|| sides.map(|(l, r)| (square(l), square(r))).collect())
+    }
+
+    /// Whether the sides have the same squares: what is no less than zero is the same then, and of the rest nothing is said.
+    fn agrees_by_squares(&mut self, held: &mut Held) -> bool {
+        let Some(squares) = self.squares(held) else {
+            return false;
+        };
+        let residuals = self.residuals(&squares);
+        if !residuals.is_ok_and(|residuals| residuals.iter().all(Zero::is_zero)) {
             return false;
         }
-        let sides = held.sides.iter();
-        let squares: Vec<_> = sides.map(|(l, r)| (square(l), square(r))).collect();
-        let Ok(residuals) = self.residuals(&squares) else {
+        let atoms = &mut self.reading.system.atoms;
+        let mut sides = held.sides.iter();
+        if sides.all(|(l, r)| atoms.is_never_negative(l) && atoms.is_never_negative(r)) {
+            held.proof = prove(&mut self.facts, atoms, &squares, &Small::default());
+        }
+        match held.proof {
+            Some(_) => held.standing = Standing::Entailed,
+            None => held.doubt = Some(messages::NO_NUMBERS.into()),
+        }
+        true
+    }
+
+    /// Whether the squares of the sides differ: then so do the sides.
+    fn differs_by_squares(&mut self, held: &mut Held, orders: &[Fraction]) -> bool {
+        let residuals = self.squares(held).map(|squares| self.residuals(&squares));
+        let Some(Ok(residuals)) = residuals else {
             return false;
         };
         let atoms = &mut self.reading.system.atoms;
-        if residuals.iter().all(Zero::is_zero) {
-            let mut sides = held.sides.iter();
-            let lengths =
-                sides.all(|(l, r)| atoms.is_never_negative(l) && atoms.is_never_negative(r));
-            held.proof = match lengths {
-                true => prove(&mut self.facts, atoms, &squares, &Small::default()),
-                false => None,
-            };
-            if held.proof.is_some() {
-                held.standing = Standing::Entailed;
-            }
-            return held.proof.is_some();
-        }
         let differ = World::refuting(&self.facts, atoms, &residuals, orders).is_some();
         if differ {
             held.reason = Some(messages::SQUARES_DIFFER.into());

@@ -87,6 +87,8 @@ impl Judge<'_> {
         {
             return Answer::Accepted;
         }
+        // A line about values at instants has no sides that hold at all times.
+        self.reading.instants.labelled |= held.sides.is_empty();
         for (left, right) in &held.sides {
             let equation = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;

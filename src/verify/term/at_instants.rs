@@ -7,7 +7,7 @@ use crate::notation::print;
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::component_text;
 use crate::verify::term::labels::plain;
-use crate::verify::term::letters::{At, Effect, Letters, spelled};
+use crate::verify::term::letters::{At, Effect, Letter, Letters, spell, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{AT_INSTANT, Basis, Value, Valued, beyond};
@@ -48,10 +48,25 @@ impl Letters {
     /// The number of the instant that a label of a letter means.
     pub(crate) fn instant_of(&self, symbol: &Symbol, at: &At) -> Option<usize> {
         let label = plain(symbol.subscripts.last()?);
+        // A letter of which a sentence tells what it is has the label for a part of its name.
+        let own = spell(symbol, true);
+        let told = |letter: &Letter| letter.spelled == own && letter.reach.covers(at, 1);
+        if self.letters.iter().any(told) {
+            return None;
+        }
         match self.label(&label, false, at)?.effect {
             Effect::AtInstant(instant) => Some(instant),
             _ => None,
         }
+    }
+
+    /// Whether a formula has a letter with a label that means an instant.
+    pub(crate) fn speaks_of_instant(&self, node: &Node, at: &At) -> bool {
+        let own = match &node.kind {
+            Kind::Symbol(symbol) => self.instant_of(symbol, at).is_some(),
+            _ => false,
+        };
+        own || node.children().any(|part| self.speaks_of_instant(part, at))
     }
 
     /// The number of the instant that a letter is: the `t_0` that sentences speak of.
@@ -108,20 +123,29 @@ impl Lowering<'_> {
         let Kind::Integral {
             integrand,
             variable,
-            limits: Some((_, to)),
+            limits: Some((from, to)),
         } = &node.kind
         else {
             return None;
         };
+        let from = self.letters.instant(from)?;
         let time =
             matches!(&variable.kind, Kind::Symbol(s) if s.name == "t" && s.subscripts.is_empty());
         let present = Some(self.present) == self.letters.instant(to).map(Present::Is);
         if !time || !present {
             return None;
         }
+        let empty = self.present == Present::Is(from);
         let present = std::mem::replace(&mut self.present, Present::Running);
         let value = self.value(integrand);
         self.present = present;
+        if empty {
+            let zero = |value: Value| {
+                let zeros = vec![Fraction::zero(); value.entries.len()];
+                value.with_entries(zeros)
+            };
+            return Some(value.map(zero));
+        }
         Some(value.and_then(|value| {
             let text = self.source.slice(node.span).to_owned();
             let rates = value.entries.clone();

@@ -97,3 +97,35 @@ $$ \vec p_1 - \vec p_0 = m (\vec v_1 + \vec v_0) $$
     let sentences: Vec<&str> = PUSHED.lines().collect();
     judged_in_any_order(&sentences, text, "pr");
 }
+
+#[test]
+fn an_integral_runs_from_the_other_instant_to_the_present_one() {
+    let text = r"
+$$ \int_{t_0}^{t_0} \vec v \, dt = 0 $$
+$$ \vec p_1 - \vec p_0 = \int_{0}^{t_1} \vec F \, dt $$
+$$ \vec p_1 - \vec p_0 = \int_{2 t_0}^{t_1} \vec F \, dt $$
+$$ \int_{t_1}^{t_1} \vec F \, dt = \vec p_1 - \vec p_0 $$
+";
+    let verdicts = judged(PUSHED, text);
+    assert!(
+        verdicts.starts_with(['p', 'u']) && !verdicts[1..].contains('p'),
+        "{verdicts}"
+    );
+}
+
+#[test]
+fn what_is_given_of_one_instant_tells_nothing_of_another() {
+    let given = format!("{PUSHED}Line 2 is given.\n");
+    let text = r"
+$$ \vec p_0 = 0 $$
+$$ \vec p_1 = 0 $$
+$$ \vec v = 0 $$
+";
+    assert!(!judged(&given, text).contains('p'));
+    let declared = format!("{PUSHED}$\\vec p_0 = 0$.\n");
+    let text = r"
+$$ \vec p_0 = 0 $$
+$$ \vec p_1 = \int_{t_0}^{t_1} \vec F \, dt $$
+";
+    assert!(!judged(&declared, text).contains('r'));
+}
