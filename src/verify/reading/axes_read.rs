@@ -9,15 +9,12 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::compounds_read::symbols_in;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
-use crate::verify::reading::names::{
-    UNIT_VECTOR, letter_of, name_of, name_of_formula, node_of, nodes_of, opposite,
-};
+use crate::verify::reading::names::{UNIT_VECTOR, name_of, node_of, opposite};
 use crate::verify::term::letters::{Letter, Meaning};
 use crate::verify::term::quantity::Quantity;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Axes by their names. One that two frames have in common is an axis of both.
 #[derive(Clone, Debug, Default)]
@@ -297,53 +294,6 @@ impl Builder<'_> {
                 .iter()
                 .find_map(|names| names.iter().position(|n| *n == name)),
         }
-    }
-
-    /// The axis of one of two frames that has its place in the other as well, where the two triads have names of their own
-    /// and no sentence says of that axis of the other anything else.
-    pub(super) fn axis_in_order(
-        &self,
-        about: &Term,
-        frame: FrameId,
-        relative: FrameId,
-    ) -> Option<usize> {
-        let name = name_of(about)?;
-        let mut both = [(frame, relative), (relative, frame)].into_iter();
-        let (axis, other) = both.find_map(|(of, other)| Some((self.axes.of(&name, of)?, other)))?;
-        let there = self
-            .axes
-            .iter()
-            .filter(|(_, place)| **place == (other, axis));
-        let names: Vec<&String> = there.map(|(name, _)| name).collect();
-        let spoken_of = |d: &Declaration| match &d.statement {
-            Statement::Is { what, .. } if what.head == "axes" => false,
-            Statement::Does { verb: "turn", .. } => false,
-            statement => {
-                let terms = statement.terms().into_iter().filter_map(name_of);
-                let mut terms = terms.filter(|term| *term != name);
-                terms.any(|term| names.contains(&&term))
-            }
-        };
-        let related = |d: &Declaration| self.relates_axes(d, frame, relative);
-        let mut others = self.declarations.iter();
-        (!others.any(|d| spoken_of(d) || related(d))).then_some(axis)
-    }
-
-    /// Whether a sentence speaks of axes of both frames: then it may say how these lie.
-    fn relates_axes(&self, declaration: &Declaration, one: FrameId, other: FrameId) -> bool {
-        let mut names: BTreeSet<String> = BTreeSet::new();
-        let formulas = match &declaration.statement {
-            Statement::Holds(formula) => vec![formula],
-            statement => {
-                let terms = statement.terms().into_iter();
-                names.extend(terms.clone().filter_map(name_of));
-                terms.filter_map(letter_of).collect()
-            }
-        };
-        let symbols = formulas.into_iter().flat_map(nodes_of).flat_map(symbols_in);
-        names.extend(symbols.map(|symbol| name_of_formula(&symbol)));
-        let of = |frame| names.iter().any(|name| self.axes.of(name, frame).is_some());
-        of(one) && of(other)
     }
 
     /// Whether a sentence tells the angle of an axis with one of a frame: then it need not be one of these.

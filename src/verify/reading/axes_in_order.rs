@@ -1,0 +1,57 @@
+//! Axes of two frames that are the same where the angle between the frames is zero.
+
+use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::compounds_read::symbols_in;
+use crate::verify::reading::names::{letter_of, name_of, name_of_formula, nodes_of};
+use std::collections::BTreeSet;
+
+impl Builder<'_> {
+    /// The axis of one of two frames that has its place in the other as well, where the two triads have names of their own
+    /// and no sentence says of that axis of the other anything else.
+    pub(super) fn axis_in_order(
+        &self,
+        about: &Term,
+        frame: FrameId,
+        relative: FrameId,
+    ) -> Option<usize> {
+        let name = name_of(about)?;
+        let mut both = [(frame, relative), (relative, frame)].into_iter();
+        let (axis, other) = both.find_map(|(of, other)| Some((self.axes.of(&name, of)?, other)))?;
+        let there = self
+            .axes
+            .iter()
+            .filter(|(_, place)| **place == (other, axis));
+        let names: Vec<&String> = there.map(|(name, _)| name).collect();
+        let spoken_of = |d: &Declaration| match &d.statement {
+            Statement::Is { what, .. } if what.head == "axes" => false,
+            Statement::Does { verb: "turn", .. } => false,
+            statement => {
+                let terms = statement.terms().into_iter().filter_map(name_of);
+                let mut terms = terms.filter(|term| *term != name);
+                terms.any(|term| names.contains(&&term))
+            }
+        };
+        let related = |d: &Declaration| self.relates_axes(d, frame, relative);
+        let mut others = self.declarations.iter();
+        (!others.any(|d| spoken_of(d) || related(d))).then_some(axis)
+    }
+
+    /// Whether a sentence speaks of axes of both frames: then it may say how these lie.
+    fn relates_axes(&self, declaration: &Declaration, one: FrameId, other: FrameId) -> bool {
+        let mut names: BTreeSet<String> = BTreeSet::new();
+        let formulas = match &declaration.statement {
+            Statement::Holds(formula) => vec![formula],
+            statement => {
+                let terms = statement.terms().into_iter();
+                names.extend(terms.clone().filter_map(name_of));
+                terms.filter_map(letter_of).collect()
+            }
+        };
+        let symbols = formulas.into_iter().flat_map(nodes_of).flat_map(symbols_in);
+        names.extend(symbols.map(|symbol| name_of_formula(&symbol)));
+        let of = |frame| names.iter().any(|name| self.axes.of(name, frame).is_some());
+        of(one) && of(other)
+    }
+}
