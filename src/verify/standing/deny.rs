@@ -104,7 +104,14 @@ impl Judge<'_> {
         match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {
                 held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
-                if held.shown.is_none() {
+                // A length that gets no number may have the one that makes it true.
+                let mut sides = held.sides.iter().flat_map(|(l, r)| [l, r]);
+                let mut length = |of: &Fraction| {
+                    of.variables()
+                        .into_iter()
+                        .any(|v| self.reading.system.atoms.is_length(v))
+                };
+                if held.shown.is_none() && sides.any(&mut length) {
                     held.doubt = Some(messages::NO_NUMBERS.into());
                 }
             }
