@@ -141,6 +141,13 @@ impl Judge<'_> {
         let Some(squares) = self.squares(held) else {
             return false;
         };
+        // What is the other side with its sign changed has the same square, and differs.
+        let opposite = held.sides.iter().map(|(l, r)| (l.clone(), -r.clone()));
+        let opposite: Vec<_> = opposite.collect();
+        let vanishes = |residuals: Vec<Fraction>| residuals.iter().all(Zero::is_zero);
+        if self.residuals(&opposite).is_ok_and(vanishes) {
+            return false;
+        }
         let residuals = self.residuals(&squares);
         if !residuals.is_ok_and(|residuals| residuals.iter().all(Zero::is_zero)) {
             return false;
