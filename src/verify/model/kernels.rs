@@ -199,14 +199,17 @@ impl Atoms {
             .find_map(|v| self.atom(v).key.member.clone())
     }
 
+    /// Whether a variable is no less than zero by what it is: a root, a length, a mass.
+    fn is_size(&self, variable: Variable) -> bool {
+        let atom = self.atom(variable);
+        let root = matches!(atom.nature, Nature::Root(_));
+        root || atom.positive || self.is_length(variable)
+    }
+
     /// Whether a root is positive by what its letters are; a sine is taken as one of an angle below π.
     fn is_no_less_than_zero(&self, root: &Polynomial) -> bool {
-        let positive = |variable: Variable| {
-            let atom = self.atom(variable);
-            let length = self.is_length(variable);
-            let own = matches!(atom.nature, Nature::Root(_) | Nature::Sine(_));
-            atom.positive || length || own
-        };
+        let sine = |variable| matches!(self.atom(variable).nature, Nature::Sine(_));
+        let positive = |variable| self.is_size(variable) || sine(variable);
         let mut terms = root.terms().iter();
         terms.all(|(_, c)| !c.is_negative()) && root.variables().into_iter().all(positive)
     }
@@ -216,11 +219,7 @@ impl Atoms {
         let one = |p: &Polynomial| match p.terms() {
             [(monomial, coefficient)] => {
                 let mut odd = monomial.factors().filter(|(_, power)| power % 2 == 1);
-                !coefficient.is_negative()
-                    && odd.all(|(v, _)| {
-                        let root = matches!(self.atom(v).nature, Nature::Root(_));
-                        root || self.atom(v).positive || self.is_length(v)
-                    })
+                !coefficient.is_negative() && odd.all(|(v, _)| self.is_size(v))
             }
             terms => terms.is_empty(),
         };

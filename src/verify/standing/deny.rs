@@ -96,86 +96,69 @@ impl Judge<'_> {
             .into_iter()
             .any(|angle| angle.variables().iter().any(told));
         let orders = self.orders();
+        let squares = self.squares(held);
         // A length may have the value of the other side where its square has.
-        if self.agrees_by_squares(held) {
-            return;
+        if let Some(squares) = squares.as_ref().filter(|squares| squares.agree())
+            && !self.are_opposite(held)
+        {
+            return self.hold_by_squares(held, &squares.sides);
         }
         let atoms = &mut self.reading.system.atoms;
         match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {
                 held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
                 // A length that gets no number may have the one that makes it true.
-                let mut sides = held.sides.iter().flat_map(|(l, r)| [l, r]);
-                let mut length = |of: &Fraction| {
-                    of.variables()
-                        .into_iter()
-                        .any(|v| self.reading.system.atoms.is_length(v))
-                };
-                if held.shown.is_none() && sides.any(&mut length) {
+                if held.shown.is_none() && has_letter(&held.sides, |v| atoms.is_length(v)) {
                     held.doubt = Some(messages::NO_NUMBERS.into());
                 }
             }
+            None if !hidden && squares.is_some_and(|s| self.is_refuted(&s.residuals, &orders)) => {
+                held.reason = Some(messages::SQUARES_DIFFER.into());
+            }
             // Roots and lengths may still make it true.
-            None if !hidden && self.differs_by_squares(held, &orders) => {}
             None => held.doubt = Some(messages::NO_NUMBERS.into()),
         }
     }
 
-    /// The squares of the sides, where these have roots or lengths.
-    fn squares(&self, held: &Held) -> Option<Vec<(Fraction, Fraction)>> {
+    /// The squares of the sides, where these have roots or lengths. To an order of what is small they tell nothing.
+    fn squares(&mut self, held: &Held) -> Option<Squares> {
         let atoms = &self.reading.system.atoms;
-        let root = |v: Variable| matches!(atoms.atom(v).nature, Nature::Root(_));
-        let has_root = |side: &Fraction| {
-            let mut letters = side.variables().into_iter();
-            letters.any(|v| root(v) || atoms.is_length(v))
-        };
-        let mut sides = held.sides.iter();
-        let any = sides.any(|(l, r)| has_root(l) || has_root(r));
+        let root = |v| matches!(atoms.atom(v).nature, Nature::Root(_));
+        let lengths = has_letter(&held.sides, |v| root(v) || atoms.is_length(v));
+        if !lengths || !self.small_here().is_empty() {
+            return None;
+        }
         let square = |f: &Fraction| f.clone() * f.clone();
-        let sides = held.sides.iter();
-        any.then(|| sides.map(|(l, r)| (square(l), square(r))).collect())
+        let sides = held.sides.iter().map(|(l, r)| (square(l), square(r)));
+        let sides: Vec<_> = sides.collect();
+        let residuals = self.residuals(&sides).ok()?;
+        Some(Squares { sides, residuals })
     }
 
-    /// Whether the sides have the same squares: what is no less than zero is the same then, and of the rest nothing is said.
-    fn agrees_by_squares(&mut self, held: &mut Held) -> bool {
-        let Some(squares) = self.squares(held) else {
-            return false;
-        };
-        // What is the other side with its sign changed has the same square, and differs.
+    /// Whether each side is the other one with its sign changed: then they have the same squares, and differ.
+    fn are_opposite(&mut self, held: &Held) -> bool {
         let opposite = held.sides.iter().map(|(l, r)| (l.clone(), -r.clone()));
-        let opposite: Vec<_> = opposite.collect();
-        let vanishes = |residuals: Vec<Fraction>| residuals.iter().all(Zero::is_zero);
-        if self.residuals(&opposite).is_ok_and(vanishes) {
-            return false;
-        }
-        let residuals = self.residuals(&squares);
-        if !residuals.is_ok_and(|residuals| residuals.iter().all(Zero::is_zero)) {
-            return false;
-        }
+        let residuals = self.residuals(&opposite.collect::<Vec<_>>());
+        residuals.is_ok_and(|residuals| residuals.iter().all(Zero::is_zero))
+    }
+
+    /// Of sides with the same squares those are the same that are no less than zero, and of the rest nothing is said.
+    fn hold_by_squares(&mut self, held: &mut Held, squares: &[(Fraction, Fraction)]) {
         let atoms = &mut self.reading.system.atoms;
-        let mut sides = held.sides.iter();
-        if sides.all(|(l, r)| atoms.is_never_negative(l) && atoms.is_never_negative(r)) {
-            held.proof = prove(&mut self.facts, atoms, &squares, &Small::default());
+        let mut sides = held.sides.iter().flat_map(|(l, r)| [l, r]);
+        if sides.all(|side| atoms.is_never_negative(side)) {
+            held.proof = prove(&mut self.facts, atoms, squares, &Small::default());
         }
         match held.proof {
             Some(_) => held.standing = Standing::Entailed,
             None => held.doubt = Some(messages::NO_NUMBERS.into()),
         }
-        true
     }
 
-    /// Whether the squares of the sides differ: then so do the sides.
-    fn differs_by_squares(&mut self, held: &mut Held, orders: &[Fraction]) -> bool {
-        let residuals = self.squares(held).map(|squares| self.residuals(&squares));
-        let Some(Ok(residuals)) = residuals else {
-            return false;
-        };
-        let atoms = &mut self.reading.system.atoms;
-        let differ = World::refuting(&self.facts, atoms, &residuals, orders).is_some();
-        if differ {
-            held.reason = Some(messages::SQUARES_DIFFER.into());
-        }
-        differ
+    /// Whether there are numbers in which something does not vanish.
+    fn is_refuted(&self, residuals: &[Fraction], orders: &[Fraction]) -> bool {
+        let atoms = &self.reading.system.atoms;
+        World::refuting(&self.facts, atoms, residuals, orders).is_some()
     }
 
     /// Whether a density, or what belongs to one element, is left over beside an integral over all of them: it may be
@@ -187,4 +170,22 @@ impl Judge<'_> {
             |r: &Fraction| system.has_volume_of_element(r) || integral && system.is_of_element(r);
         residuals.iter().any(of_one)
     }
+}
+
+/// The squares of the sides of a link, and what is left of their differences.
+struct Squares {
+    sides: Vec<(Fraction, Fraction)>,
+    residuals: Vec<Fraction>,
+}
+
+impl Squares {
+    fn agree(&self) -> bool {
+        self.residuals.iter().all(Zero::is_zero)
+    }
+}
+
+/// Whether a letter of some kind stands in the sides of a link.
+fn has_letter(sides: &[(Fraction, Fraction)], is: impl Fn(Variable) -> bool) -> bool {
+    let sides = sides.iter().flat_map(|(left, right)| [left, right]);
+    sides.flat_map(Fraction::variables).any(is)
 }

@@ -216,3 +216,18 @@ $$ a x = 2 b \theta $$
 ";
     assert_eq!(judged(sentences, text), "r");
 }
+
+#[test]
+fn to_first_order_the_squares_of_lengths_tell_nothing() {
+    let sentences = "N is an inertial frame.
+$\\theta$ is a function of the time.
+$\\vec a$ is a vector.
+$s$ is the magnitude of $\\vec a$.
+All lines hold to first order in $\\theta$.
+";
+    let text = r"
+$$ s \sin\theta = s \theta $$
+$$ s \theta = 2 s \theta $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
