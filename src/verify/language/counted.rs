@@ -3,6 +3,7 @@
 use super::in_turn::{does_in_turn, each_of_its_own};
 use super::is_body;
 use super::kinds::name;
+use super::phrase::ORDINALS;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Words for how many things there are.
@@ -14,11 +15,8 @@ const COUNTS: [(&str, usize); 5] = [
     ("six", 6),
 ];
 
-/// What may be told of each of several in turn: where it lies, and how large it is.
+/// Verbs of where each of several lies.
 const LAID: [&str; 2] = ["lie", "point"];
-
-/// The ends of what is long.
-pub(crate) const ENDS: [&str; 2] = ["first", "second"];
 
 /// Things of one noun, by their numbers.
 struct Counted {
@@ -29,12 +27,8 @@ struct Counted {
 }
 
 impl Counted {
-    fn name(&self, number: usize) -> Term {
-        Term::Name(format!("{} {number}", self.noun))
-    }
-
     fn names(&self) -> impl Iterator<Item = Term> + '_ {
-        (1..=self.count).map(|number| self.name(number))
+        (1..=self.count).map(|number| Term::Name(format!("{} {number}", self.noun)))
     }
 
     /// "the particles", where these are meant.
@@ -98,8 +92,7 @@ fn counted(part: &Term, declarations: &[Declaration]) -> Option<Counted> {
         Term::Phrase(part) => {
             let count = COUNTS.iter().find(|(word, _)| part.is(word))?.1;
             let mut what = (**part).clone();
-            let counts = |said: &&str| COUNTS.iter().any(|(word, _)| word == said);
-            what.adjectives.retain(|said| !counts(said));
+            without_counts(&mut what);
             is_body(part.head).then_some(Counted {
                 noun: part.head,
                 count,
@@ -241,7 +234,7 @@ impl Counted {
         }
         let own = |(number, particle): (usize, Term)| {
             let mut end = NounPhrase::new("end", vec![(Slot::Of, long[number / 2].clone())]);
-            end.adjectives = vec![ENDS[number % 2]];
+            end.adjectives = vec![ORDINALS[number % 2]];
             Statement::Does {
                 subjects: vec![particle],
                 verb: "lie",
@@ -250,6 +243,40 @@ impl Counted {
         };
         Some(self.names().enumerate().map(own).collect())
     }
+}
+
+/// "`$a$` and `$b$` are the first two components of `$v$`": the first and the second one.
+pub(crate) fn part_first(declarations: Vec<Declaration>) -> Vec<Declaration> {
+    let first = Term::Numbers(vec![1]);
+    let mut parted = vec![];
+    for declaration in declarations {
+        match &declaration.statement {
+            Statement::Is { subjects, what }
+                if subjects.len() > 1
+                    && what.slot(Slot::Which) == Some(&first)
+                    && COUNTS.iter().any(|(count, _)| what.is(count)) =>
+            {
+                for (at, subject) in subjects.iter().enumerate() {
+                    let mut own = what.clone();
+                    without_counts(&mut own);
+                    let which = own
+                        .slots
+                        .iter_mut()
+                        .filter(|(slot, _)| *slot == Slot::Which);
+                    which.for_each(|(_, number)| *number = Term::Numbers(vec![at + 1]));
+                    parted.push(declaration.saying(Statement::one_is(subject.clone(), own)));
+                }
+            }
+            _ => parted.push(declaration),
+        }
+    }
+    parted
+}
+
+/// A noun without the words for how many there are.
+fn without_counts(what: &mut NounPhrase) {
+    let counts = |said: &&str| COUNTS.iter().any(|(word, _)| word == said);
+    what.adjectives.retain(|said| !counts(said));
 }
 
 /// "along the axes x and y" as "along x and y".

@@ -5,13 +5,13 @@ use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::clause::Said;
 use super::constancy::tell_constants;
-use super::counted::number_counted;
+use super::counted::{number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
-use super::in_turn::{part_first, part_letters, part_respectively};
+use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::kinds::{

@@ -9,6 +9,8 @@ pub(crate) const UNIT_VECTOR: &str = "unit vector";
 pub(crate) const VELOCITY: &str = "velocity";
 pub(crate) const ACCELERATION: &str = "acceleration";
 pub(crate) const MASS: &str = "mass";
+/// The point of a body by which its mass moves.
+pub(crate) const MASS_CENTRE: &str = "mass centre";
 pub(crate) const HEIGHT: &str = "height";
 pub(crate) const MOMENTUM: &str = "momentum";
 pub(crate) const ANGULAR_MOMENTUM: &str = "angular momentum";
@@ -174,6 +176,7 @@ mod tests {
             VELOCITY,
             ACCELERATION,
             MASS,
+            MASS_CENTRE,
             MOMENTUM,
             ANGULAR_MOMENTUM,
             FORCE,

@@ -184,37 +184,6 @@ const SHARED_BY_VERBS: [Slot; 7] = [
     Slot::RelativeTo,
 ];
 
-/// "`$a$` and `$b$` are the first two components of `$v$`": the first and the second one.
-pub(crate) fn part_first(declarations: Vec<Declaration>) -> Vec<Declaration> {
-    let first = Term::Numbers(vec![1]);
-    let mut parted = vec![];
-    for declaration in declarations {
-        match &declaration.statement {
-            Statement::Is { subjects, what }
-                if subjects.len() > 1
-                    && what.slot(Slot::Which) == Some(&first)
-                    && COUNTS.iter().any(|count| what.is(count)) =>
-            {
-                for (at, subject) in subjects.iter().enumerate() {
-                    let mut own = what.clone();
-                    own.adjectives.retain(|said| !COUNTS.contains(said));
-                    let which = own
-                        .slots
-                        .iter_mut()
-                        .filter(|(slot, _)| *slot == Slot::Which);
-                    which.for_each(|(_, number)| *number = Term::Numbers(vec![at + 1]));
-                    parted.push(declaration.saying(Statement::one_is(subject.clone(), own)));
-                }
-            }
-            _ => parted.push(declaration),
-        }
-    }
-    parted
-}
-
-/// Words for how many there are.
-const COUNTS: [&str; 2] = ["two", "three"];
-
 /// What is said of letters by as many nouns, also where the sentence begins with these: "the masses of P and Q are `$m$` and
 /// `$M$`".
 pub(crate) fn part_letters(declarations: Vec<Declaration>) -> Vec<Declaration> {

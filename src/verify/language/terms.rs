@@ -75,6 +75,19 @@ impl Statement {
         terms
     }
 
+    /// All formulas of a clause, or the one that is said to hold.
+    pub(crate) fn formulas(&self) -> Vec<&Formula> {
+        let terms = self.terms().into_iter();
+        let formulas = terms.filter_map(|term| match term {
+            Term::Formula(formula) => Some(formula),
+            _ => None,
+        });
+        match self {
+            Self::Holds(formula) => vec![formula],
+            _ => formulas.collect(),
+        }
+    }
+
     /// What a clause is about, and what hangs on its noun or verb.
     pub(crate) fn terms_mut(&mut self) -> Vec<&mut Term> {
         fn slots(slots: &mut [(Slot, Term)]) -> Vec<&mut Term> {

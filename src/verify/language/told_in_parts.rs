@@ -1,51 +1,62 @@
 //! What is said of letters that mean something else in each of several parts of the document: it is said in each part.
 
-use super::statement::{Declaration, Extent, Formula, Statement, Term};
+use super::statement::{Declaration, Extent, Statement, Term};
+use std::collections::HashMap;
 
 /// "On lines 1 to 9 `$J$` is …, from line 10 on `$J$` is …; `$a$` is an entry of `$J$`": a is one of each there.
 pub(crate) fn say_in_parts(declarations: Vec<Declaration>) -> Vec<Declaration> {
-    let mut said = vec![];
-    for declaration in &declarations {
-        match parts_of(declaration, &declarations) {
-            Some(parts) => said.extend(parts.into_iter().map(|extent| Declaration {
-                extent,
+    let parts = parts_of_letters(&declarations);
+    if parts.is_empty() {
+        return declarations;
+    }
+    let said = declarations.into_iter();
+    let said = said.flat_map(|declaration| match parts_of(&declaration, &parts) {
+        Some(parts) => {
+            let in_part = |extent: &Extent| Declaration {
+                extent: extent.clone(),
                 ..declaration.clone()
-            })),
-            None => said.push(declaration.clone()),
+            };
+            parts.iter().map(in_part).collect()
         }
-    }
-    said
-}
-
-/// The parts in which a letter that a sentence speaks of has its meanings, where it has several and none everywhere.
-fn parts_of(declaration: &Declaration, all: &[Declaration]) -> Option<Vec<Extent>> {
-    let Statement::Is { subjects, .. } = &declaration.statement else {
-        return None;
-    };
-    if declaration.extent != Extent::Document {
-        return None;
-    }
-    let terms = declaration.statement.terms().into_iter();
-    let mut mentioned = terms.filter_map(|term| match term {
-        Term::Formula(letter) => Some(letter).filter(|_| !subjects.contains(term)),
-        _ => None,
+        None => vec![declaration],
     });
-    mentioned.find_map(|letter| parts_of_letter(letter, all))
+    said.collect()
 }
 
-fn parts_of_letter(letter: &Formula, all: &[Declaration]) -> Option<Vec<Extent>> {
-    let mut parts: Vec<Extent> = vec![];
-    for declaration in all {
+/// The parts of the document in which letters have their meanings, of those that have several and none everywhere.
+fn parts_of_letters(declarations: &[Declaration]) -> HashMap<String, Vec<Extent>> {
+    let mut parts: HashMap<String, Vec<Extent>> = HashMap::new();
+    for declaration in declarations {
         let Statement::Is { subjects, .. } = &declaration.statement else {
             continue;
         };
-        let own = |s: &Term| matches!(s, Term::Formula(told) if told.source == letter.source);
-        match &declaration.extent {
-            _ if !subjects.iter().any(own) => {}
-            Extent::Document => return None,
-            extent if parts.contains(extent) => {}
-            extent => parts.push(extent.clone()),
+        for subject in subjects {
+            let Term::Formula(letter) = subject else {
+                continue;
+            };
+            let own = parts.entry(letter.source.clone()).or_default();
+            if !own.contains(&declaration.extent) {
+                own.push(declaration.extent.clone());
+            }
         }
     }
-    (parts.len() > 1).then_some(parts)
+    parts.retain(|_, own| own.len() > 1 && !own.contains(&Extent::Document));
+    parts
+}
+
+/// The parts of the first letter that a sentence about the whole document speaks of and that has any.
+fn parts_of<'p>(
+    declaration: &Declaration,
+    parts: &'p HashMap<String, Vec<Extent>>,
+) -> Option<&'p Vec<Extent>> {
+    let Statement::Is { subjects, .. } = &declaration.statement else {
+        return None;
+    };
+    let terms = declaration.statement.terms().into_iter();
+    let mut mentioned = terms.filter_map(|term| match term {
+        Term::Formula(letter) if !subjects.contains(term) => Some(letter),
+        _ => None,
+    });
+    let whole = declaration.extent == Extent::Document;
+    mentioned.find_map(|letter| parts.get(&letter.source).filter(|_| whole))
 }

@@ -4,8 +4,7 @@ use crate::verify::language::statement::{Declaration, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::compounds_read::symbols_in;
-use crate::verify::reading::names::{letter_of, name_of, name_of_formula, nodes_of};
-use std::collections::BTreeSet;
+use crate::verify::reading::names::{name_of, name_of_formula, nodes_of};
 
 impl Builder<'_> {
     /// The axis of one of two frames that has its place in the other as well, where the two triads have names of their own
@@ -40,17 +39,11 @@ impl Builder<'_> {
 
     /// Whether a sentence speaks of axes of both frames: then it may say how these lie.
     fn relates_axes(&self, declaration: &Declaration, one: FrameId, other: FrameId) -> bool {
-        let mut names: BTreeSet<String> = BTreeSet::new();
-        let formulas = match &declaration.statement {
-            Statement::Holds(formula) => vec![formula],
-            statement => {
-                let terms = statement.terms().into_iter();
-                names.extend(terms.clone().filter_map(name_of));
-                terms.filter_map(letter_of).collect()
-            }
-        };
-        let symbols = formulas.into_iter().flat_map(nodes_of).flat_map(symbols_in);
-        names.extend(symbols.map(|symbol| name_of_formula(&symbol)));
+        let terms = declaration.statement.terms().into_iter();
+        let formulas = declaration.statement.formulas().into_iter();
+        let letters = formulas.flat_map(nodes_of).flat_map(symbols_in);
+        let letters = letters.map(|letter| name_of_formula(&letter));
+        let names: Vec<String> = terms.filter_map(name_of).chain(letters).collect();
         let of = |frame| names.iter().any(|name| self.axes.of(name, frame).is_some());
         of(one) && of(other)
     }

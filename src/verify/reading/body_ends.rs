@@ -1,7 +1,7 @@
 //! The ends of bodies on their lines: of a rod both, of a cone its apex.
 
 use crate::algebra::Fraction;
-use crate::verify::language::counted::ENDS;
+use crate::verify::language::phrase::ORDINALS;
 use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{BodyId, PointId, Vector};
@@ -86,7 +86,8 @@ impl Builder<'_> {
             return None;
         };
         let body = end.slot(Slot::Of).and_then(|of| self.body(of))?;
-        let which = ENDS.iter().position(|which| end.is(which))?;
+        let mut ends = ORDINALS.into_iter().take(2);
+        let which = ends.position(|which| end.is(which))?;
         (end.head == END && self.is_rod(body)).then_some((body, which == 0))
     }
 

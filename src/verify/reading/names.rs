@@ -7,9 +7,6 @@ use crate::verify::language::statement::{Extent, Formula, NounPhrase, Slot, Term
 use crate::verify::term::labels::without_commands;
 use crate::verify::term::letters::Reach;
 
-/// The point of a body by which its mass moves.
-pub(crate) const MASS_CENTRE: &str = "mass centre";
-
 /// The noun of the entries of a tensor off its diagonal.
 pub(crate) const PRODUCTS: &str = "products of inertia";
 
@@ -34,7 +31,7 @@ pub(crate) const ANGULAR_VELOCITY: &str = "angular velocity";
 /// The noun of the matrix that a cross product is.
 pub(crate) const CROSS_PRODUCT_MATRIX: &str = "cross-product matrix";
 
-pub(crate) use crate::verify::language::heads::UNIT_VECTOR;
+pub(crate) use crate::verify::language::heads::{MASS_CENTRE, UNIT_VECTOR};
 
 /// The noun of the energy that a body has by its place.
 pub(crate) const POTENTIAL: &str = "potential energy";

@@ -215,13 +215,7 @@ impl Builder<'_> {
             let known = &mut self.reading.letters.instants;
             known.push(spelled(node_of(instant)?));
             let effect = Effect::AtInstant(known.len() - 1);
-            self.reading.letters.labels.push(LabelRule {
-                label: plain_label(label),
-                effect,
-                on_rate: false,
-                component: None,
-                reach: reach.clone(),
-            });
+            self.labels_mean(std::slice::from_ref(label), false, &effect, reach);
         }
         Some(())
     }

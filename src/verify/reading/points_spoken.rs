@@ -172,13 +172,11 @@ impl Builder<'_> {
         let own = matches!(what.head, "origin" | END | APEX);
         let origin = what.all(Slot::Of).filter(|_| own);
         let mut all: Vec<FrameId> = vec![];
-        for frame in fixed.chain(origin).filter_map(|term| self.frame(term)) {
-            let rest = self.at_rest_with(frame);
-            all.extend(
-                rest.into_iter()
-                    .filter(|own| !all.contains(own))
-                    .collect::<Vec<_>>(),
-            );
+        let told = fixed.chain(origin).filter_map(|term| self.frame(term));
+        for frame in told.flat_map(|frame| self.at_rest_with(frame)) {
+            if !all.contains(&frame) {
+                all.push(frame);
+            }
         }
         all
     }

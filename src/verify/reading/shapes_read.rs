@@ -241,15 +241,18 @@ impl<'a> Builder<'a> {
         system.frames[system.bodies[body].frame?].turn.axis()
     }
 
-    pub(super) fn rolls(&self, body: BodyId) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Does {
-                subjects,
-                verb: "roll",
-                ..
-            } => subjects.iter().any(|term| self.body(term) == Some(body)),
-            _ => false,
-        })
+    fn rolls(&self, body: BodyId) -> bool {
+        self.rolling().any(|rolling| rolling == body)
+    }
+
+    /// The bodies that are said to roll.
+    pub(super) fn rolling(&self) -> impl Iterator<Item = BodyId> {
+        let said = self
+            .declarations
+            .iter()
+            .filter_map(|d| d.statement.does("roll"));
+        let subjects = said.flat_map(|(subjects, _)| subjects);
+        subjects.filter_map(|term| self.body(term))
     }
 
     pub(super) fn is_rod(&self, body: BodyId) -> bool {

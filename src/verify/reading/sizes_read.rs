@@ -5,7 +5,6 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{is_letter, letter_of};
-use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
@@ -41,11 +40,7 @@ impl Builder<'_> {
             self.tell_letters_of_place(formula, declaration)?;
             return self.formula_value(formula, declaration)?.to_scalar().ok();
         }
-        let quantity = Quantity::Scalar {
-            text: formula.source.clone(),
-            constant: true,
-        };
-        self.denote(formula, Meaning::Quantity(quantity.clone()), declaration);
+        let quantity = self.denote_number(formula, declaration);
         let size = self.system().value_of(&quantity).ok()?.to_scalar().ok()?;
         self.system().atoms.set_positive(&size);
         Some(size)

@@ -57,22 +57,20 @@ impl Builder<'_> {
 
     /// Whether sentences say that a letter is a unit vector, and fixed in a body.
     pub(super) fn is_unit_vector_fixed_in(&self, letter: &Term, body: &Term) -> bool {
-        let said = self.declarations.iter();
         let about = |what: &NounPhrase| {
             let fixed = what.slot(Slot::FixedIn);
             fixed.is_some_and(|of| of == body || self.frame_of_body(of) == self.frame_of_body(body))
         };
-        let mut vector = false;
-        let fixed = said.fold(false, |fixed, d| match &d.statement {
-            Statement::Is { subjects, what }
-                if subjects.contains(letter) && d.extent == Extent::Document =>
-            {
-                vector |= what.head == UNIT_VECTOR;
-                fixed || matches!(what.head, UNIT_VECTOR | "fixed") && about(what)
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let own = subjects.contains(letter) && d.extent == Extent::Document;
+                own.then_some(what)
             }
-            _ => fixed,
+            _ => None,
         });
-        vector && fixed
+        let said: Vec<&NounPhrase> = said.collect();
+        let fixed = |what: &NounPhrase| matches!(what.head, UNIT_VECTOR | "fixed") && about(what);
+        said.iter().any(|what| what.head == UNIT_VECTOR) && said.iter().any(|what| fixed(what))
     }
 
     fn frame_of_body(&self, body: &Term) -> Option<FrameId> {

@@ -45,16 +45,9 @@ impl Builder<'_> {
             return;
         }
         for declaration in self.declarations {
-            let formulas = match &declaration.statement {
-                Statement::Holds(formula) => vec![formula],
-                statement => statement
-                    .terms()
-                    .into_iter()
-                    .filter_map(in_formula)
-                    .collect(),
-            };
             let at = place_in(&reach_of(&declaration.extent));
             let letters = &self.reading.letters;
+            let formulas = declaration.statement.formulas();
             let mut nodes = formulas.into_iter().flat_map(nodes_of);
             if nodes.any(|node| letters.speaks_of_instant(node, &at)) {
                 self.reading.instants.labelled = true;
@@ -288,7 +281,7 @@ fn touched_by(statement: &Statement, others: &[Declaration]) -> Touches {
                 Statement::Holds(formula) => Some(formula),
                 _ => None,
             });
-            let mut sides = holding.flat_map(sides_of);
+            let mut sides = holding.flat_map(nodes_of);
             match sides.any(|side| signs.iter().any(|sign| carries(side, sign))) {
                 true => Touches::Everything,
                 false => Touches::Signs(signs.clone()),
@@ -309,18 +302,9 @@ fn is_bare(node: &Node) -> bool {
     }
 }
 
-/// The sides of a formula, or the formula.
-fn sides_of(formula: &Formula) -> &[Node] {
-    match &formula.row {
-        Row::Expression(node) => std::slice::from_ref(node),
-        Row::Line(line) => &line.sides,
-        Row::Unreadable { .. } => &[],
-    }
-}
-
 /// The letters of a formula, those with labels as they are written.
 pub(super) fn letters_of(formula: &Formula) -> BTreeSet<String> {
-    sides_of(formula).iter().flat_map(letters_in_node).collect()
+    nodes_of(formula).iter().flat_map(letters_in_node).collect()
 }
 
 fn letters_in_node(node: &Node) -> BTreeSet<String> {
@@ -333,7 +317,7 @@ fn letters_in_node(node: &Node) -> BTreeSet<String> {
 
 fn letters_in(formula: &Formula) -> Option<BTreeSet<String>> {
     let readable = !matches!(formula.row, Row::Unreadable { .. });
-    readable.then(|| sides_of(formula).iter().flat_map(letter_names).collect())
+    readable.then(|| nodes_of(formula).iter().flat_map(letter_names).collect())
 }
 
 fn in_formula(subject: &Term) -> Option<&Formula> {

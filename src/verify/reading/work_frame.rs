@@ -39,14 +39,15 @@ impl Builder<'_> {
 
     /// The frame that is worked in where no sentence speaks of components.
     fn frame_without_components(&self, body: Option<FrameId>) -> FrameId {
-        let spinning = self.reading.system.bodies.iter().filter_map(|body| {
-            let frame = body.frame?;
+        let rolling = self.rolling();
+        let rolling = rolling.filter_map(|body| self.reading.system.bodies[body].frame);
+        let mut calm = rolling.filter_map(|frame| {
             let calm = self.without_spin(frame);
             (calm != frame).then_some(calm)
         });
         body.map(|frame| self.without_spin(frame))
             .or_else(|| self.frame_of_only_body())
-            .or_else(|| spinning.into_iter().next())
+            .or_else(|| calm.next())
             .unwrap_or(self.reading.system.ground)
     }
 
@@ -63,8 +64,8 @@ impl Builder<'_> {
             _ => None,
         };
         let axes: Vec<Term> = self.declarations.iter().filter_map(said).collect();
-        let rolls = (0..self.reading.system.bodies.len())
-            .any(|body| self.reading.system.bodies[body].frame == Some(frame) && self.rolls(body));
+        let bodies = &self.reading.system.bodies;
+        let rolls = self.rolling().any(|body| bodies[body].frame == Some(frame));
         let spins = self.declarations.iter().any(|d| {
             let turn = d.statement.does("turn");
             turn.is_some_and(|(subjects, slots)| {

@@ -3,27 +3,23 @@
 //! Of one instant the line is judged as of any time. Of two, the second is any time t and the first a fixed one: both sides
 //! are the same if they are so at the first, and their difference does not change.
 
-use crate::algebra::{Fraction, Polynomial, Variable, compose};
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::messages::OTHER_INSTANTS;
 use crate::verify::model::atoms::Nature;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, Sides};
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::kept::{Images, put_in};
 use crate::verify::standing::sides::both;
 use crate::verify::standing::verdicts::Standing;
 use crate::verify::term::at_instants::{Kept, Present};
-use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{GROWN, Trouble, Value};
-use foldhash::HashMap;
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
 /// Differences are looked at with no more rates at the first instant.
 const MOST_RATES: usize = 3;
-
-/// Values of more terms are not put in.
-const MOST_TERMS: usize = 2_000;
 
 impl Judge<'_> {
     /// What a link is worth that speaks of instants; none if it does not.
@@ -43,9 +39,8 @@ impl Judge<'_> {
         if held.standing == Standing::Denied && self.reading.instants.labelled {
             return Some(Held::open(OTHER_INSTANTS));
         }
-        // What is told of one instant, or of two, is no fact of all times.
         Some(Held {
-            sides: vec![],
+            at_instants: true,
             ..held
         })
     }
@@ -76,13 +71,7 @@ impl Judge<'_> {
         link: &Link,
         present: usize,
     ) -> Result<(Value, Vec<String>), (Trouble, Vec<String>)> {
-        let mut lowering = Lowering::new(
-            &mut self.reading.system,
-            &self.reading.letters,
-            self.written.trial.as_ref().unwrap_or(&self.document.source),
-            &self.at,
-            &mut self.known,
-        );
+        let mut lowering = self.lowering();
         lowering.present = Present::Is(present);
         let pair = both(&mut lowering, link);
         let unknown: Vec<String> = lowering.unknown.keys().cloned().collect();
@@ -136,22 +125,13 @@ impl Judge<'_> {
         let atoms = &mut self.reading.system.atoms;
         for variable in value.entries.iter().flat_map(Fraction::variables) {
             if let Nature::Root(of) = atoms.atom(variable).nature.clone() {
-                let root = atoms.root(&put(&of, &images)?)?;
+                let root = atoms.root(&put_in(&of, &images)?)?;
                 images.insert(variable, root);
             }
         }
         let entries = value.entries.iter();
-        entries.map(|entry| put(entry, &images)).collect()
+        entries.map(|entry| put_in(entry, &images)).collect()
     }
-}
-
-/// Values of letters.
-type Images = HashMap<Variable, Fraction>;
-
-fn put(of: &Fraction, images: &Images) -> Option<Fraction> {
-    let put = |p: &Polynomial| compose(p, images, MOST_TERMS).ok();
-    let (top, bottom) = (put(of.numerator())?, put(of.denominator())?);
-    (!bottom.is_zero()).then(|| top / bottom)
 }
 
 /// Sides of which the one is zero.

@@ -1,7 +1,6 @@
 //! What documents say apart from laws that others said before.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::Shape;
 use crate::verify::standing::apart::{Apart, Said};
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::WorkedOut;
@@ -40,11 +39,7 @@ impl Apart<'_> {
     fn wording_of(&mut self, link: &Link) -> Option<Wording> {
         let recalled = self.recalled.as_mut()?;
         let integrals = self.judge.reading.letters.customs.integrals;
-        let mut shape = Shape::default();
-        shape.number(link.relation as usize * 2 + usize::from(integrals));
-        shape.tree(&link.left)?;
-        shape.tree(&link.right)?;
-        let of = Formula::Tree(shape.into_bytes());
+        let of = Formula::of_link(link, link.relation as usize * 2 + usize::from(integrals))?;
         recalled.wording(&self.judge.reading.system, of)
     }
 

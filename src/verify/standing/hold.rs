@@ -37,6 +37,8 @@ pub(super) struct Held {
     pub(super) shown: Option<Shown>,
     /// The letter that it settles, with its value.
     pub(super) settles: Option<(String, Value, Value)>,
+    /// Whether it speaks of values at instants: then it is no fact of all times.
+    pub(super) at_instants: bool,
 }
 
 /// The sides of a link, component by component.
@@ -65,6 +67,7 @@ impl Held {
             sides: vec![],
             shown: None,
             settles: None,
+            at_instants: false,
         }
     }
 }
@@ -244,6 +247,17 @@ impl Judge<'_> {
         }
     }
 
+    /// What lowers the formulas of the line that is looked at.
+    pub(super) fn lowering(&mut self) -> Lowering<'_> {
+        Lowering::new(
+            &mut self.reading.system,
+            &self.reading.letters,
+            self.written.trial.as_ref().unwrap_or(&self.document.source),
+            &self.at,
+            &mut self.known,
+        )
+    }
+
     /// Both sides of a link, for every axis that its free indices may number.
     pub(super) fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
         let (letters, nodes) = (&self.reading.letters, [&link.left, &link.right]);
@@ -251,13 +265,7 @@ impl Judge<'_> {
         let readings = cyclic_assignments(letters, &self.at, &nodes).unwrap_or_else(free);
         let mut all = Sides::default();
         for axes in readings {
-            let mut lowering = Lowering::new(
-                &mut self.reading.system,
-                &self.reading.letters,
-                self.written.trial.as_ref().unwrap_or(&self.document.source),
-                &self.at,
-                &mut self.known,
-            );
+            let mut lowering = self.lowering();
             lowering.axes = axes;
             lowering.occurrences.besides.clone_from(besides);
             let pair = both(&mut lowering, link);

@@ -3,7 +3,7 @@
 //! Candidates are energies, components of momenta, and what changes evenly in time. One whose rate vanishes by what holds is
 //! equal to the value that is told of an instant. Nothing else of it is carried to other times.
 
-use crate::algebra::{Fraction, Polynomial, Rational, Variable, compose};
+use crate::algebra::{Fraction, Polynomial, Rational, Variable, compose_by};
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::facts::proof::prove;
@@ -12,7 +12,7 @@ use crate::verify::model::atoms::{Atoms, Nature, whole};
 use crate::verify::reading::Premise;
 use crate::verify::standing::judge::Judge;
 use num_traits::Zero;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// First integrals are looked for at no more lines.
 const MOST_TRIES: usize = 12;
@@ -21,7 +21,7 @@ const MOST_TRIES: usize = 12;
 const MOST_TERMS: usize = 2_000;
 
 /// Values of variables at an instant.
-type Images = BTreeMap<Variable, Fraction>;
+pub(super) type Images = BTreeMap<Variable, Fraction>;
 
 /// What is told of an instant.
 #[derive(Default)]
@@ -229,9 +229,8 @@ fn is_constant(atoms: &mut Atoms, value: &Fraction) -> bool {
 }
 
 /// A fraction with values put in for variables; `None` where its denominator vanishes.
-fn put_in(of: &Fraction, images: &Images) -> Option<Fraction> {
-    let images: HashMap<Variable, Fraction> = images.clone().into_iter().collect();
-    let put = |p: &Polynomial| compose(p, &images, MOST_TERMS).ok();
+pub(super) fn put_in(of: &Fraction, images: &Images) -> Option<Fraction> {
+    let put = |p: &Polynomial| compose_by(p, |v| images.get(&v), MOST_TERMS).ok();
     let (top, bottom) = (put(of.numerator())?, put(of.denominator())?);
     (!bottom.is_zero()).then(|| top / bottom)
 }

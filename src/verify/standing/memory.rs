@@ -4,8 +4,10 @@
 //! their own, so these are told apart; what a formula itself brings up is brought up again.
 
 use crate::algebra::{Fraction, Polynomial};
+use crate::notation::ast::Shape;
 use crate::verify::model::changes::Added;
 use crate::verify::model::system::System;
+use crate::verify::standing::chains::Link;
 use foldhash::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -77,6 +79,15 @@ pub(crate) enum Formula {
 }
 
 impl Formula {
+    /// By the trees of a link, beside what else it hangs on; `None` where its text tells more than these do.
+    pub(crate) fn of_link(link: &Link, beside: usize) -> Option<Self> {
+        let mut shape = Shape::default();
+        shape.number(beside);
+        shape.tree(&link.left)?;
+        shape.tree(&link.right)?;
+        Some(Self::Tree(shape.into_bytes()))
+    }
+
     /// By what its sides are worth.
     pub(crate) fn of_sides(sides: &[(Fraction, Fraction)]) -> Self {
         let sides = sides.iter().flat_map(|(left, right)| [left, right]);

@@ -66,6 +66,14 @@ impl Judge<'_> {
 
     /// Takes what an accepted line says into the facts.
     pub(super) fn settle(&mut self, held: &Held, source: &Source) -> Answer {
+        let says_no_more = matches!(
+            held.standing,
+            Standing::Entailed | Standing::Open | Standing::Differs
+        );
+        if held.at_instants {
+            self.reading.instants.labelled |= !says_no_more;
+            return Answer::Accepted;
+        }
         // What holds at one instant tells nothing of the others.
         let instant = self.reading.instants.at(&self.at);
         // The facts are others from here on, or letters have shapes.
@@ -78,17 +86,9 @@ impl Judge<'_> {
             self.known.shapes.insert(letter.clone(), left.shape());
         }
         let elsewhere = !self.is_own() && held.standing != Standing::Settles;
-        if instant.is_some()
-            || elsewhere
-            || matches!(
-                held.standing,
-                Standing::Entailed | Standing::Open | Standing::Differs
-            )
-        {
+        if instant.is_some() || elsewhere || says_no_more {
             return Answer::Accepted;
         }
-        // A line about values at instants has no sides that hold at all times.
-        self.reading.instants.labelled |= held.sides.is_empty();
         for (left, right) in &held.sides {
             let equation = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;

@@ -1,7 +1,7 @@
 //! Links that other documents of the same reading had before.
 
 use crate::algebra::{Argument, Combination, Reason};
-use crate::notation::ast::{Relation, Shape};
+use crate::notation::ast::Relation;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, Sides};
@@ -83,11 +83,8 @@ impl Judge<'_> {
             return None;
         }
         self.again.recalled.as_ref()?;
-        let mut shape = Shape::default();
-        shape.number(relation as usize);
-        shape.tree(&link.left)?;
-        shape.tree(&link.right)?;
-        self.beside(Formula::Tree(shape.into_bytes()))
+        let of = Formula::of_link(link, relation as usize)?;
+        self.beside(of)
     }
 
     /// A formula beside the variables that there are; `None` where lines of this document were taken into the facts.

@@ -164,9 +164,8 @@ impl Lowering<'_> {
         first: Vec<Fraction>,
     ) -> Valued {
         let same = |kept: &&Kept| {
-            (&kept.text, &kept.basis) == (&text.to_owned(), &shape.basis)
-                && kept.rates == rates
-                && kept.first == first
+            let writing = kept.text == text && kept.basis == shape.basis;
+            writing && kept.rates == rates && kept.first == first
         };
         let of = |letters: &[Variable]| letters.iter().map(|v| fraction(*v)).collect();
         if let Some(kept) = self.known.kept.iter().find(same) {
