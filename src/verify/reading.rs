@@ -10,6 +10,7 @@ pub(crate) mod bases_read;
 pub(crate) mod bodies_read;
 pub(crate) mod body_ends;
 pub(crate) mod body_lines;
+pub(crate) mod bounds_read;
 pub(crate) mod boxes_read;
 pub(crate) mod builder;
 pub(crate) mod components_read;

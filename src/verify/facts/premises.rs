@@ -80,8 +80,8 @@ impl Extended {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Facts {
     pub(super) rules: BTreeMap<Variable, Rule>,
-    /// Squares that premises tell: n_z² = 1 − n_x² − n_y².
-    pub(super) squares: BTreeMap<Variable, (Polynomial, Rule)>,
+    /// Squares that premises tell: n_z² = 1 − n_x² − n_y², each in free variables and as it is told.
+    pub(super) squares: BTreeMap<Variable, (Fraction, Rule)>,
     pub(super) images: HashMap<Variable, Image>,
     /// Parts of the premises, where they were asked for since the last one was put in.
     parts: Vec<Part>,
@@ -120,6 +120,11 @@ impl Facts {
     /// The relation for the square of a variable that a premise tells.
     pub(crate) fn square(&self, variable: Variable) -> Option<&Rule> {
         self.squares.get(&variable).map(|(_, rule)| rule)
+    }
+
+    /// The square of a variable in free variables, where a premise tells it.
+    pub(crate) fn free_square(&self, variable: Variable) -> Option<&Fraction> {
+        self.squares.get(&variable).map(|(free, _)| free)
     }
 
     /// Puts in an equation: this fraction vanishes, always.
@@ -260,12 +265,17 @@ impl Facts {
         let written = equation.numerator().clone();
         let alone = best(atoms, &value, true);
         if alone.is_none()
-            && let Some((length, root)) = Self::length_in(atoms, &value)
+            && let Some((length, root)) =
+                Self::length_in(atoms, &value).or_else(|| Self::length_in(atoms, &written))
+            && let Ok(root) = self.normal(atoms, &root)
         {
             self.tell(atoms, length, root, written, source);
             return self.put_again(atoms, length);
         }
-        if alone.is_none() && self.put_square(atoms, &value, &written, source) {
+        if alone.is_none()
+            && (self.put_square(atoms, &value, &written, source)
+                || self.put_square_of_length(atoms, &value, &written, source))
+        {
             return Ok(Extended::Square);
         }
         let Some((variable, slope, rest)) = alone.or_else(|| best(atoms, &value, false)) else {
@@ -401,14 +411,31 @@ fn best(
         if plainly && !alone {
             return None;
         }
-        let rank = (alone, !atom.positive, atom.key.order, !atoms.is_small(v), v);
+        // What may vanish is divided by only where nothing else is left.
+        let sure = atom.key.order == 0 && atoms.has_sign(&slope);
+        let rank = (
+            (alone, !atom.positive, atom.key.order),
+            (sure, !atoms.is_small(v)),
+            v,
+        );
         Some((rank, slope))
     });
     let ((.., variable), slope) = candidates.max_by_key(|(rank, _)| *rank)?;
     let rest = value.coefficient_of(variable, 0);
     // A product that vanishes does not say which of its factors does, unless only one can.
-    if rest.is_zero() && slope.is_constant().is_none() && !atoms.has_sign(&slope) {
+    let may_vanish = slope.is_constant().is_none() && !atoms.has_sign(&slope);
+    if rest.is_zero() && may_vanish && !is_of_constant_square(atoms, variable, &slope) {
         return None;
     }
     Some((variable, slope, rest))
+}
+
+/// Whether what stands beside a rate that it makes vanish, v in v·v̇ = 0, is what has the rate: v² is constant, and so is v.
+fn is_of_constant_square(atoms: &Atoms, rate: Variable, slope: &Polynomial) -> bool {
+    atoms.atom(rate).rate_of.is_some_and(|own| {
+        let beside = slope.coefficient_of(own, 1);
+        slope.degree_in(own) == 1
+            && slope.coefficient_of(own, 0).is_zero()
+            && atoms.has_sign(&beside)
+    })
 }

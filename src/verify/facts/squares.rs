@@ -63,26 +63,65 @@ impl Facts {
                 continue;
             };
             let told = (-lower).scaled(&(Rational::one() / number));
-            let value = Fraction::from(told.clone());
-            let (equation, source) = (equation.clone(), source.clone());
-            let rule = Rule {
-                value,
-                equation,
-                source,
-                time: self.tick(),
-                at_instant: self.at_instant,
-            };
-            self.squares.insert(variable, (told, rule));
-            self.forget_images_with(atoms, variable);
+            let square = Fraction::from(told);
+            self.tell_square(atoms, variable, square.clone(), square, equation, source);
             return true;
         }
         false
     }
 
+    /// The square of a variable is a polynomial from now on, and a value in free variables.
+    fn tell_square(
+        &mut self,
+        atoms: &Atoms,
+        variable: Variable,
+        square: Fraction,
+        free: Fraction,
+        equation: &Polynomial,
+        source: &Source,
+    ) {
+        let rule = Rule {
+            value: square,
+            equation: equation.clone(),
+            source: source.clone(),
+            time: self.tick(),
+            at_instant: self.at_instant,
+        };
+        self.squares.insert(variable, (free, rule));
+        self.forget_images_with(atoms, variable);
+    }
+
+    /// An equation that tells the square of a length: as it is written, where in free variables it is a fraction.
+    pub(super) fn put_square_of_length(
+        &mut self,
+        atoms: &Atoms,
+        value: &Polynomial,
+        equation: &Polynomial,
+        source: &Source,
+    ) -> bool {
+        let square_in = |of: &Polynomial, length: Variable| {
+            let [lower, slope, square] = [0, 1, 2].map(|e| of.coefficient_of(length, e));
+            let alone = of.degree_in(length) == 2 && slope.is_zero();
+            Fraction::new(-lower, square).filter(|_| alone)
+        };
+        let told = equation.variables().into_iter().find_map(|length| {
+            let whole = square_in(equation, length).filter(Fraction::is_polynomial)?;
+            let free = square_in(value, length).filter(|_| atoms.is_length(length))?;
+            Some((length, whole, free))
+        });
+        let Some((length, whole, free)) = told else {
+            return false;
+        };
+        self.tell_square(atoms, length, whole, free, equation, source);
+        true
+    }
+
     /// Takes out the relations for squares that hold a variable that is solved for now: they are to be put in anew.
     pub(super) fn squares_with(&mut self, variable: Variable) -> Vec<Rule> {
-        let held = |(of, (square, _)): (&Variable, &(Polynomial, Rule))| {
-            (square.degree_in(variable) > 0 || *of == variable).then_some(*of)
+        let held = |(of, (free, rule)): (&Variable, &(Fraction, Rule))| {
+            let told = [free, &rule.value];
+            let in_it = told.iter().any(|q| q.variables().contains(&variable));
+            (in_it || *of == variable).then_some(*of)
         };
         let affected: Vec<Variable> = self.squares.iter().filter_map(held).collect();
         let removed = affected.iter().filter_map(|of| self.squares.remove(of));
@@ -96,7 +135,7 @@ impl Facts {
         of: &Polynomial,
     ) -> Result<Option<Polynomial>, OutOfBudget> {
         let square_of = |v: Variable| {
-            let told = self.squares.get(&v).map(|(square, _)| square);
+            let told = self.square(v).map(|rule| rule.value.numerator());
             told.or(atoms.atom(v).square.as_ref())
         };
         let mut value = None;

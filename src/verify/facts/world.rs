@@ -95,17 +95,17 @@ impl World {
             }
             _ => {}
         }
-        let square = facts.square(variable).map(|rule| rule.value.numerator());
-        if let Some(square) = square.or(atom.square.as_ref()) {
+        let own = atom.square.clone().map(Fraction::from);
+        if let Some(square) = facts.free_square(variable).cloned().or(own) {
             for inner in square.variables() {
                 self.draw(facts, atoms, inner, state)?;
             }
-            let root = self.value(&Fraction::from(square.clone()))?.exact_sqrt()?;
+            let root = self.value(&square)?.exact_sqrt()?;
             self.values.insert(variable, root);
             return Some(());
         }
         let unit_part = (0..atoms.len() as Variable).any(|v| {
-            let told = facts.square(v).map(|rule| &rule.value);
+            let told = facts.free_square(v);
             let own = match &atoms.atom(v).nature {
                 Nature::UnitPart(square) => Some(square),
                 _ => None,

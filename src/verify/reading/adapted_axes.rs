@@ -14,44 +14,56 @@ const ALONG: usize = 2;
 /// The axis across the two vectors of a frame that others turn about.
 const ACROSS: usize = 1;
 
-/// A turn about a vector that is fixed in the frame against which it is.
-struct TurnAboutVector {
-    frame: FrameId,
-    relative: FrameId,
-    vector: Term,
-}
-
 impl Builder<'_> {
     /// "A turns relative to N about `$k$`, a unit vector fixed in N": where no sentence says how the axes of N lie, the
     /// third one is along k. "B turns relative to A about `$n$`, a unit vector fixed in A": where of the axes of A only
     /// the third one is told, the first one is in the plane of this one and of n.
     pub(super) fn adapt_axes(&mut self) {
-        for declaration in self.declarations {
-            let Some(TurnAboutVector {
-                frame,
-                relative,
-                vector,
-            }) = self.turn_about_vector(declaration)
-            else {
-                continue;
-            };
-            if self.may_lie_freely(relative) {
-                self.name_axis(&vector, relative, ALONG, declaration);
-            } else if self.turns_about_vector_alone(relative) {
-                let tilted = self.add_tilted(relative, &vector);
-                self.reading.system.frames[frame].parent = Some(tilted);
-                self.name_axis(&vector, tilted, ALONG, declaration);
+        // Frames turn against earlier ones alone: the axes of those are laid first.
+        for relative in 0..self.reading.system.frames.len() {
+            for declaration in self.declarations {
+                if let Some((frame, vector)) = self.turn_about_vector(declaration, relative) {
+                    self.adapt_axes_to(&vector, frame, relative, declaration);
+                }
             }
         }
     }
 
-    /// A turn about a vector, where the axes of what turns may lie in any way.
-    fn turn_about_vector(&self, declaration: &Declaration) -> Option<TurnAboutVector> {
+    /// Lays the third axis of the frame against which another turns along the vector about which it does.
+    fn adapt_axes_to(
+        &mut self,
+        vector: &Term,
+        frame: FrameId,
+        relative: FrameId,
+        declaration: &Declaration,
+    ) {
+        let turns = self.turns_about_vector_alone(relative);
+        let angle = turns.then(|| self.angle_with_third(relative, vector));
+        match angle {
+            None | Some(None) if self.may_lie_freely(relative) => {
+                self.name_axis(vector, relative, ALONG, declaration);
+            }
+            Some(angle) => {
+                let tilted = self.add_tilted(relative, angle);
+                self.reading.system.frames[frame].parent = Some(tilted);
+                self.name_axis(vector, tilted, ALONG, declaration);
+            }
+            None => {}
+        }
+    }
+
+    /// What turns against a frame about a vector that is fixed there, where the axes of what turns may lie in any way.
+    fn turn_about_vector(
+        &self,
+        declaration: &Declaration,
+        relative: FrameId,
+    ) -> Option<(FrameId, Term)> {
         let (subjects, slots) = turn(&declaration.statement)?;
         let [subject] = subjects else { return None };
         let vector = along_of(slot(slots, Slot::About)?).clone();
         let relative_to = slot(slots, Slot::RelativeTo)?;
-        let (frame, relative) = (self.frame(subject)?, self.frame(relative_to)?);
+        let against = self.frame(relative_to).filter(|&f| f == relative);
+        let (frame, relative) = (self.frame(subject)?, against?);
         let new = name_of(&vector).is_some_and(|name| self.axes.get(&name).is_none());
         let turned = self.reading.system.frames[frame].parent == Some(relative);
         let fits = new
@@ -59,11 +71,7 @@ impl Builder<'_> {
             && declaration.extent == Extent::Document
             && self.is_unit_vector_fixed_in(&vector, relative_to)
             && (self.is_unnamed(frame) && self.turns_about_vector_alone(frame));
-        fits.then_some(TurnAboutVector {
-            frame,
-            relative,
-            vector,
-        })
+        fits.then_some((frame, vector))
     }
 
     fn is_unnamed(&self, frame: FrameId) -> bool {
@@ -99,10 +107,9 @@ impl Builder<'_> {
 
     /// A frame fixed in another, turned against it about its second axis by the angle of a vector with the third one, or
     /// by one of which nothing is told.
-    fn add_tilted(&mut self, frame: FrameId, vector: &Term) -> FrameId {
+    fn add_tilted(&mut self, frame: FrameId, told: Option<Fraction>) -> FrameId {
         let name = format!("{}'", self.reading.system.frames[frame].name);
         let key = Key::new(format!("\\theta^{{{name}}}"));
-        let told = self.angle_with_third(frame, vector);
         let atoms = &mut self.reading.system.atoms;
         let untold = fraction(atoms.variable(key, Place::Parameter, Motion::Constant));
         let angle = told.unwrap_or(untold);

@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Rational};
 use crate::mechanics;
 use crate::notation::ast::{Bracket, Kind, Node, Number, Term};
 use crate::source::Source;
-use crate::verify::model::system::System;
+use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::Present;
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, loosely, spelled};
@@ -84,20 +84,20 @@ impl<'a> Lowering<'a> {
         *count
     }
 
+    /// The frame of lists, where a sentence says it.
+    pub(super) fn frame_of_brackets(&self) -> Option<FrameId> {
+        match self.letters.mark(Mark::Brackets, self.at) {
+            Some(Effect::ComponentsOn(frame)) => Some(*frame),
+            _ => None,
+        }
+    }
+
     /// The frame of lists that say no other.
-    pub(crate) fn custom(&self) -> usize {
-        if let Some(Effect::ComponentsOn(frame)) = self.letters.mark(Mark::Brackets, self.at) {
-            return *frame;
-        }
-        match self.frames_seen.len() {
-            1 => self
-                .frames_seen
-                .iter()
-                .next()
-                .copied()
-                .unwrap_or(self.letters.component_frame),
-            _ => self.letters.component_frame,
-        }
+    pub(crate) fn custom(&self) -> FrameId {
+        let seen = self.frames_seen.first();
+        let seen = seen.filter(|_| self.frames_seen.len() == 1).copied();
+        let told = self.frame_of_brackets().or(seen);
+        told.unwrap_or(self.letters.component_frame)
     }
 
     /// Follows a meaning that is itself a formula.

@@ -31,13 +31,15 @@ impl Lowering<'_> {
                 true => Value::written(entries.len(), 1, entries),
                 false => Value::written(values.len(), width, entries),
             };
-            // A list of components of one frame is on that frame.
-            return Ok(match (value.is_vector(), frames.len(), frames.first()) {
-                (true, 1, Some(&frame)) => {
+            // A list of components of one frame is on that frame, unless a sentence says what lists are on.
+            let told = self.frame_of_brackets();
+            let own = frames.first().filter(|_| frames.len() == 1).copied();
+            return Ok(match told.or(own).filter(|_| value.is_vector()) {
+                Some(frame) => {
                     self.system
                         .taken_on(&value, [Basis::On(frame), Basis::Any], frame)?
                 }
-                _ => value,
+                None => value,
             });
         }
         if all.len() == 1 {
