@@ -71,6 +71,7 @@ pub(crate) mod terms;
 mod together;
 mod told_apart;
 mod told_in_parts;
+mod turned_in_parts;
 mod turned_lines;
 mod turns;
 mod unread;

@@ -44,6 +44,7 @@ impl Parser<'_, '_> {
             self.bars(&mut factors);
             self.unit_behind(&mut factors);
             self.skip_spaces();
+            self.cross_behind(&mut factors);
             match self.operator() {
                 Some((next, span)) => (operator, sign) = (next, span),
                 None if self.factor_starts() => {
@@ -62,6 +63,39 @@ impl Parser<'_, '_> {
             return only.node;
         }
         self.node(Kind::Product(factors), start)
+    }
+
+    /// `\omega\times` with nothing behind it to be crossed with is the matrix that multiplies by ω ×.
+    fn cross_behind(&mut self, factors: &mut [Factor]) {
+        let cross = matches!(self.peek(), Some(Lexeme::Command("times")));
+        let mut behind = self.tokens[self.at..].iter().skip(1).map(|t| t.kind);
+        let next = behind.find(|kind| !matches!(kind, Lexeme::Space(_)));
+        let ended = matches!(next, None | Some(Lexeme::Char('+' | '=')));
+        if !(cross && ended) {
+            return;
+        }
+        // `\omega\times\omega\times`: so is each that is crossed with it.
+        let crossed = factors.iter().rev();
+        let crossed = crossed
+            .take_while(|f| f.operator == Operator::Cross)
+            .count();
+        let first = factors.len().saturating_sub(crossed + 1);
+        let here = self.here();
+        for factor in &mut factors[first..] {
+            let span = factor.node.span.to(here);
+            let vector = std::mem::replace(&mut factor.node.kind, Kind::Product(vec![]));
+            let span_of_vector = factor.node.span;
+            factor.node = Node {
+                kind: Kind::Skew(Box::new(Node {
+                    kind: vector,
+                    span: span_of_vector,
+                })),
+                span,
+            };
+            factor.operator = Operator::Juxtaposed;
+        }
+        self.at += 1;
+        self.skip_spaces();
     }
 
     /// A factor; after an operator a sign may stand before it.

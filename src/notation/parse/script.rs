@@ -388,7 +388,12 @@ pub(super) fn marked(mut node: Node, label: FrameLabel) -> Node {
     ) {
         return in_frame(node, label);
     }
-    match symbol_of(&mut node) {
+    // Before a letter with its arguments it belongs to the letter.
+    let marked = match &mut node.kind {
+        Kind::Call(head, _) => symbol_of(head),
+        _ => symbol_of(&mut node),
+    };
+    match marked {
         Some(symbol) => {
             symbol.superscripts.insert(0, label.text);
             node

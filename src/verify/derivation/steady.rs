@@ -83,7 +83,7 @@ impl Story {
     fn angles(&self) -> Vec<Variable> {
         let frames = self.letters.reading.system.frames.iter();
         let angles = frames.filter_map(|frame| match &frame.turn {
-            Turn::Angle(_, angle) => angle.as_variable(),
+            Turn::Angle(_, angle) | Turn::About(_, angle) => angle.as_variable(),
             _ => None,
         });
         let mut angles: Vec<Variable> = angles.collect();

@@ -46,6 +46,7 @@ use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_apart::told_apart;
 use super::told_in_parts::say_in_parts;
+use super::turned_in_parts::turn_in_parts;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::{tell_gravity, tell_zeros};
@@ -174,6 +175,7 @@ fn in_plain_terms(
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);
     turn_about_axes_of_symmetry(&mut declarations);
+    turn_in_parts(&mut declarations, macros);
     say_in_parts(declarations)
 }
 

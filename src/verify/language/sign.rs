@@ -207,11 +207,15 @@ pub(crate) fn operating(operators: Vec<Formula>, meaning: &NotationMeaning) -> V
     operators.into_iter().map(rule).collect()
 }
 
-/// Whether a noun said of a formula says what an operator means: it is said of nothing, or the formula is a product or
-/// cannot stand alone.
+/// Whether a noun said of a formula says what an operator means: it is said of nothing, or the formula is a product, ends
+/// with a sign that stands before something, or cannot stand alone.
 pub(crate) fn is_operator(formula: &Formula, phrase: &NounPhrase, entry: &Entry) -> bool {
     let operates = match &formula.row {
-        Row::Expression(node) => matches!(node.kind, Tree::Product(_) | Tree::Error(_)),
+        Row::Expression(node) => match node.kind {
+            Tree::Product(_) | Tree::Error(_) => true,
+            Tree::Skew(_) => formula.source.ends_with("\\times") && !formula.source.contains('^'),
+            _ => false,
+        },
         Row::Line(_) | Row::Unreadable { .. } => true,
     };
     entry.operator && (operates || phrase.slot(Slot::Of).is_none())

@@ -44,7 +44,7 @@ impl System {
         let free = match self.frames[frame].turn {
             Turn::Fixed => false,
             Turn::Free => true,
-            Turn::Angle(..) | Turn::Rate(..) => return None,
+            Turn::Angle(..) | Turn::About(..) | Turn::Rate(..) => return None,
         };
         let mut matrix = DMatrix::from_element(size, size, Fraction::zero());
         for (row, column) in (0..size).flat_map(|r| (0..r).map(move |c| (c, r))) {

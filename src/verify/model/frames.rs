@@ -85,9 +85,21 @@ impl System {
                 let rate = self.atoms.derivative(&angle);
                 self.axis(frame, axis) * rate
             }
+            Turn::About(axis, angle) => {
+                let rate = self.atoms.derivative(&angle);
+                let anchor = self.anchor(frame);
+                mechanics::apply(&self.rotation(self.work, anchor), &axis) * rate
+            }
             Turn::Rate(Axis::Number(axis), rate) => self.axis(frame, axis) * *rate,
             Turn::Rate(Axis::Along(axis), rate) => *axis * *rate,
         }
+    }
+
+    /// The nearer one to the work frame of a frame and its parent.
+    pub(crate) fn anchor(&self, frame: FrameId) -> FrameId {
+        let parent = self.frames[frame].parent;
+        let other = parent.filter(|_| !self.stands_on(self.work, frame));
+        other.unwrap_or(frame)
     }
 
     /// The unit vector along an axis of a frame.
@@ -145,6 +157,10 @@ impl System {
             Turn::Fixed => Matrix::identity(),
             Turn::Angle(axis, angle) => match self.atoms.cosine_sine(&angle) {
                 Some((cosine, sine)) => about_axis(axis, &cosine, &sine),
+                None => self.free_rotation(frame),
+            },
+            Turn::About(axis, angle) => match self.atoms.cosine_sine(&angle) {
+                Some((cosine, sine)) => about_vector(&axis, &cosine, &sine),
                 None => self.free_rotation(frame),
             },
             Turn::Rate(Axis::Number(axis), rate) => {

@@ -45,6 +45,8 @@ pub(crate) enum Turn {
     Free,
     /// By an angle about an axis that both frames share.
     Angle(usize, Box<Fraction>),
+    /// By an angle about a unit vector, whose components on both frames are the same.
+    About(Box<Vector>, Box<Fraction>),
     /// At a rate about an axis.
     Rate(Axis, Box<Fraction>),
 }
@@ -54,7 +56,7 @@ impl Turn {
     pub(crate) fn axis(&self) -> Option<usize> {
         match self {
             Self::Angle(axis, _) | Self::Rate(Axis::Number(axis), _) => Some(*axis),
-            Self::Fixed | Self::Free | Self::Rate(Axis::Along(_), _) => None,
+            Self::Fixed | Self::Free | Self::About(..) | Self::Rate(Axis::Along(_), _) => None,
         }
     }
 }

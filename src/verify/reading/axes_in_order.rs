@@ -23,14 +23,16 @@ impl Builder<'_> {
             .iter()
             .filter(|(_, place)| **place == (other, axis));
         let names: Vec<&String> = there.map(|(name, _)| name).collect();
+        // What is along it says nothing of how it lies itself.
         let spoken_of = |d: &Declaration| match &d.statement {
             Statement::Is { what, .. } if what.head == "axes" => false,
             Statement::Does { verb: "turn", .. } => false,
-            statement => {
-                let terms = statement.terms().into_iter().filter_map(name_of);
-                let mut terms = terms.filter(|term| *term != name);
-                terms.any(|term| names.contains(&&term))
+            Statement::Is { subjects, .. } | Statement::Does { subjects, .. } => {
+                let subjects = subjects.iter().filter_map(name_of);
+                let mut subjects = subjects.filter(|subject| *subject != name);
+                subjects.any(|subject| names.contains(&&subject))
             }
+            _ => false,
         };
         let related = |d: &Declaration| self.relates_axes(d, frame, relative);
         let mut others = self.declarations.iter();
@@ -38,7 +40,12 @@ impl Builder<'_> {
     }
 
     /// Whether a sentence speaks of axes of both frames: then it may say how these lie.
-    fn relates_axes(&self, declaration: &Declaration, one: FrameId, other: FrameId) -> bool {
+    pub(super) fn relates_axes(
+        &self,
+        declaration: &Declaration,
+        one: FrameId,
+        other: FrameId,
+    ) -> bool {
         let terms = declaration.statement.terms().into_iter();
         let formulas = declaration.statement.formulas().into_iter();
         let letters = formulas.flat_map(nodes_of).flat_map(symbols_in);

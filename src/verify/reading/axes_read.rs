@@ -7,7 +7,7 @@ use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
-use crate::verify::model::system::{FrameId, Vector};
+use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
@@ -266,7 +266,12 @@ impl Builder<'_> {
             let axis = self.axes.of(&name, of)?;
             Some((of, axis))
         });
-        match own.or_else(|| self.axes.get(&name).copied()) {
+        let other = || {
+            self.axes
+                .get(&name)
+                .map(|&at| self.carried_down(at, [frame, relative]))
+        };
+        match own.or_else(other) {
             // On the other frame the axis may be any; only where it has no name of its own for it is it the same one.
             Some((of, axis)) if of == frame || of == relative => {
                 let other = if of == frame { relative } else { frame };
@@ -294,6 +299,23 @@ impl Builder<'_> {
                 .iter()
                 .find_map(|names| names.iter().position(|n| *n == name)),
         }
+    }
+
+    /// The same axis on one of the frames, where turns about it lead down there.
+    fn carried_down(&self, at: (FrameId, usize), frames: [FrameId; 2]) -> (FrameId, usize) {
+        let (mut of, axis) = at;
+        while !frames.contains(&of) {
+            let turned = &self.reading.system.frames[of];
+            let about = match &turned.turn {
+                Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _) => Some(*about),
+                _ => None,
+            };
+            match turned.parent.filter(|_| about == Some(axis)) {
+                Some(parent) => of = parent,
+                None => return at,
+            }
+        }
+        (of, axis)
     }
 
     /// Whether a sentence tells the angle of an axis with one of a frame: then it need not be one of these.

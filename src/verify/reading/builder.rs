@@ -86,6 +86,7 @@ pub(crate) fn build(
     builder.read_notation();
     builder.turn_by_quaternions();
     builder.turn_frames();
+    builder.name_vectors_of_members();
     builder.place_points();
     builder.finish_bodies();
     builder.place_contacts();

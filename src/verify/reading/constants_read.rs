@@ -1,7 +1,7 @@
 //! What does not change: letters, quantities, gravity.
 
 use crate::verify::language::heads::OF_BEARINGS;
-use crate::verify::language::statement::{Declaration, NounPhrase, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{is_marked_vector, tells_gravity};
@@ -67,19 +67,28 @@ impl Builder<'_> {
     }
 
     /// g: a vector that does not change in space, or its size along the vertical.
-    pub(super) fn read_gravity(&mut self, subjects: &[Term], declaration: &Declaration) {
+    pub(super) fn read_gravity(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
         let Some(formula) = formulas(subjects).next().cloned() else {
             return;
         };
-        let vector = is_marked_vector(&formula);
+        let on = what.slot(Slot::On).and_then(|on| self.frame(on));
         let ground = self.reading.system.ground;
         let text = formula.source.clone();
-        if vector {
+        if is_marked_vector(&formula) || on.is_some() {
             let quantity = Quantity::Vector {
                 text,
                 carried: Some(ground),
             };
             self.gravity = Some(quantity.clone());
+            let quantity = match on {
+                Some(frame) => Quantity::On(quantity.boxed(), frame),
+                None => quantity,
+            };
             return self.denote(&formula, Meaning::Quantity(quantity), declaration);
         }
         let quantity = self.denote_number(&formula, declaration);

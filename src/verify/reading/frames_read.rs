@@ -260,6 +260,12 @@ impl Builder<'_> {
                 Turn::Rate(Axis::Number(axis), Box::new(self.own_rate(frame)))
             }
             (angle, rate, _) => {
+                if let Some(angle) = &angle
+                    && let Some(turn) =
+                        self.turn_by_angle_about(frame, relative, about, angle, said)
+                {
+                    return Some(turn);
+                }
                 // Nothing tells how the axes lie when the angle is zero.
                 if angle.is_some() {
                     self.say_unused(said.declaration);
@@ -367,7 +373,7 @@ impl Builder<'_> {
 
 impl Builder<'_> {
     /// A letter of a unit vector that only sentences tell, of one thing or of each of many, and what carries it.
-    fn unit_vector_of(&self, letter: &Formula, carried: Option<FrameId>) -> Quantity {
+    pub(super) fn unit_vector_of(&self, letter: &Formula, carried: Option<FrameId>) -> Quantity {
         let text = letter.source.clone();
         let fixed = self.said_fixed(letter);
         let name = name_of(&Term::Formula(letter.clone()));

@@ -172,7 +172,7 @@ impl Builder<'_> {
             "component" => self.read_components(subjects, what, declaration),
             PRODUCTS | OTHER_PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
-            _ if tells_gravity(what) => self.read_gravity(subjects, declaration),
+            _ if tells_gravity(what) => self.read_gravity(subjects, what, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),

@@ -4,6 +4,7 @@ use crate::notation::ast::{Function, Kind};
 use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::frames::about_vector;
+use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, letter_of, node_of, reach_of};
@@ -48,17 +49,36 @@ impl Builder<'_> {
                 _ => None,
             };
             let Some(head) = head else { continue };
-            let axis = axes.get(place).or(axes.last());
-            let axis = axis.and_then(|term| self.number_of_axis(term));
+            let about = axes.get(place).or(axes.last()).copied();
+            let vector = about.and_then(|term| self.carried_unit_vector(term, declaration));
+            let axis = about.and_then(|term| self.number_of_axis(term));
             let operator = match (what.head, axis) {
                 (CROSS_PRODUCT_MATRIX, _) => Operator::CrossProductMatrix,
                 (COMPONENT_ROTATION, Some(axis)) => Operator::AxisRotationOfComponents(axis),
                 (_, Some(axis)) => Operator::AxisRotation(axis),
-                (_, None) => Operator::RotationVector,
+                (_, None) => match vector {
+                    Some((vector, frame)) => Operator::RotationAbout(vector, frame),
+                    None => Operator::RotationVector,
+                },
             };
             let head = Formula::of(&head);
             self.denote(&head, Meaning::Operator(operator), declaration);
         }
+    }
+
+    /// A unit vector by its letter, and the frame in which it is fixed.
+    fn carried_unit_vector(
+        &mut self,
+        term: &Term,
+        declaration: &Declaration,
+    ) -> Option<(Quantity, FrameId)> {
+        let Term::Formula(letter) = term else {
+            return None;
+        };
+        let frame = self.said_fixed(letter)?;
+        let told = self.quantity_of(letter, declaration);
+        let vector = told.unwrap_or_else(|| self.unit_vector_of(letter, Some(frame)));
+        Some((vector, frame))
     }
 
     /// "`$R$` is the matrix of the rotation by `$\\theta$` about `$n$`", a unit vector.

@@ -146,6 +146,26 @@ impl Builder<'_> {
         true
     }
 
+    /// A turn by an angle about a vector, where no sentence says that the axes lie otherwise when the angle is zero.
+    pub(super) fn turn_by_angle_about(
+        &mut self,
+        frame: FrameId,
+        relative: FrameId,
+        about: &Term,
+        angle: &Fraction,
+        said: &Said<'_>,
+    ) -> Option<Turn> {
+        let mut others = self.declarations.iter();
+        if others.any(|d| self.relates_axes(d, frame, relative)) {
+            return None;
+        }
+        let anchor = self.reading.system.anchor(frame);
+        let along = self.direction(about, said.declaration, Some(anchor))?;
+        let work = self.reading.system.work;
+        let along = mechanics::apply(&self.system().rotation(anchor, work), &along);
+        Some(Turn::About(Box::new(along), Box::new(angle.clone())))
+    }
+
     /// A turn that holds for a part of the document: ω is along the axis, with the rate that is told.
     pub(super) fn hold_turn(
         &mut self,

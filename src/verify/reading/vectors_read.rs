@@ -5,7 +5,9 @@ use crate::mechanics;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
-use crate::verify::language::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::FrameId;
@@ -18,6 +20,35 @@ use crate::verify::term::value::{Basis, Shape, Value};
 use num_traits::Zero;
 
 impl Builder<'_> {
+    /// "`$p_j$` is a unit vector fixed in B", where j numbers things: by it they may be placed.
+    pub(super) fn name_vectors_of_members(&mut self) {
+        let turns = self
+            .declarations
+            .iter()
+            .filter_map(|d| d.statement.does("turn"));
+        let about = turns.filter_map(|(_, slots)| slot(slots, Slot::About));
+        let axes: Vec<&Term> = about.collect();
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let along = what.slot(Slot::Along).or(what.slot(Slot::To));
+            if what.head != UNIT_VECTOR || along.is_some() {
+                continue;
+            }
+            let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+            // What a member turns about is told where its turn is.
+            let subjects = subjects.iter().filter(|subject| !axes.contains(subject));
+            let subjects: Vec<Term> = subjects.cloned().collect();
+            for formula in formulas(&subjects) {
+                let unit = self.unit_vector_of(formula, carried);
+                if matches!(unit, Quantity::MemberVector { .. }) {
+                    self.denote(formula, Meaning::Quantity(unit), declaration);
+                }
+            }
+        }
+    }
+
     pub(super) fn read_vectors(
         &mut self,
         subjects: &[Term],

@@ -33,6 +33,8 @@ pub(super) struct Held {
     pub(super) unknown: Vec<String>,
     /// Whether a letter of which nothing is told stands alone on a side or is a factor of it, and no line has settled it.
     pub(super) alone: bool,
+    /// Whether it would say something of the motion that its new letters do not tell.
+    pub(super) restricts: bool,
     pub(super) sides: Vec<(Fraction, Fraction)>,
     pub(super) shown: Option<Shown>,
     /// The letter that it settles, with its value.
@@ -61,6 +63,7 @@ impl Held {
             reason: Some(reason.into()),
             doubt: None,
             beyond: false,
+            restricts: false,
             proof: None,
             unknown: vec![],
             alone: false,
@@ -378,8 +381,13 @@ impl Judge<'_> {
             }
             return held;
         }
-        let free: Vec<_> = residuals.iter().flat_map(Fraction::variables).collect();
-        let open = free.iter().any(|&v| atoms.is_unknown(v));
+        let mut free: Vec<_> = residuals.iter().flat_map(Fraction::variables).collect();
+        free.sort();
+        free.dedup();
+        free.retain(|&v| atoms.is_unknown(v));
+        let open = !free.is_empty();
+        // A new letter that is taken as a number beside matrices would say more than what it is.
+        held.restricts = held.sides.len() > 3 && free.len() < 3;
         held.standing = match (open, &held.settles) {
             (true, Some(_)) => Standing::Settles,
             (true, None) => Standing::Free,

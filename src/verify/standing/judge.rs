@@ -369,7 +369,9 @@ impl<'a> Judge<'a> {
             (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
             (Standing::Settles, _) if self.defines_by_another_line(h) => Standing::Open,
             // Words alone make no definition of a relation in which no new letter stands alone on a side.
-            (Standing::Free, Role::Define) if !purpose.declared && !h.alone => Standing::Open,
+            (Standing::Free, Role::Define) if !purpose.declared && (!h.alone || h.restricts) => {
+                Standing::Open
+            }
             (standing, _) => standing,
         };
         let answers: Vec<Answer> = held

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::print::latex;
 use crate::verify::standing::chains::Link;
+use crate::verify::term::functions::text_of_function;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Trouble, Value};
 
@@ -18,6 +19,10 @@ fn lone(side: &Node) -> Option<String> {
     match &side.kind {
         Kind::Symbol(_) => Some(latex(side)),
         Kind::Group(_, inner) => lone(inner),
+        Kind::Call(head, arguments) => match &head.kind {
+            Kind::Symbol(symbol) => Some(text_of_function(symbol, arguments)),
+            _ => None,
+        },
         _ => None,
     }
 }

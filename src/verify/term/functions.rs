@@ -1,13 +1,16 @@
 //! Functions, and sums over an index.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::mechanics;
 use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
+use crate::verify::model::atoms::Atoms;
 use crate::verify::model::frames::{about_axis, about_vector};
-use crate::verify::model::system::Matrix;
+use crate::verify::model::system::{FrameId, Matrix};
 use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
 use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{
     AT_INSTANT, Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond,
 };
@@ -76,6 +79,17 @@ impl Lowering<'_> {
         ))
     }
 
+    /// The matrix of the rotation by an angle about a unit vector, by its components on the frame that carries it.
+    fn rotation_about(&mut self, axis: &Quantity, frame: FrameId, angle: &Fraction) -> Valued {
+        let axis = self.system.value_of(axis)?;
+        let n = self.system.written_out(&axis, frame)?.to_vector()?;
+        let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
+            return beyond(OTHER_ARGUMENT);
+        };
+        let matrix = about_vector(&n, &cosine, &sine);
+        Ok(Value::matrix(&matrix, [Basis::Written; 2]))
+    }
+
     /// The matrix of the rotation by the length θ of a vector v about v/θ, which is the same for both roots θ of v·v.
     fn rotation_by_length(&mut self, value: &Value) -> Valued {
         let v = value.to_vector()?;
@@ -103,9 +117,23 @@ impl Lowering<'_> {
             .map(|l| l.meaning.clone());
         if let (Some(Meaning::Operator(operator)), [argument]) = (operator, arguments) {
             let value = self.value(argument)?;
+            // An operator on vectors beside the time is another letter, `S(t)` beside `S(v)`.
+            let of_vectors = matches!(
+                operator,
+                Operator::CrossProductMatrix | Operator::RotationVector
+            );
+            if of_vectors
+                && is_time(argument)
+                && let Kind::Symbol(symbol) = &head.kind
+            {
+                return self.unknown_by(symbol, text_of_function(symbol, arguments));
+            }
             return match operator {
                 Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
                 Operator::RotationVector => self.rotation_by_length(&value),
+                Operator::RotationAbout(axis, frame) => {
+                    self.rotation_about(&axis, frame, &value.to_scalar()?)
+                }
                 Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
                 Operator::AxisRotationOfComponents(axis) => {
                     self.axis_rotation(axis, &-value.to_scalar()?)
@@ -116,8 +144,7 @@ impl Lowering<'_> {
             return self.value(&sum);
         }
         if let [argument] = arguments
-            && let Kind::Symbol(Symbol { name, .. }) = &argument.kind
-            && name == "t"
+            && is_time(argument)
         {
             return self.value(head);
         }
@@ -132,6 +159,9 @@ impl Lowering<'_> {
             return beyond("a function of several arguments");
         };
         let right = self.value(argument)?;
+        if is_function_of(&left, &right, &self.system.atoms) {
+            return Ok(left);
+        }
         // `\omega(0)` is no product.
         if right.is_zero() && !left.is_zero() && self.changes(&left) {
             return beyond(AT_INSTANT);
@@ -167,12 +197,8 @@ impl Lowering<'_> {
         if !short && self.known(symbol)?.is_some() {
             return Ok(None);
         }
-        let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
-        let function = Symbol {
-            name: format!("{}({})", symbol.name, arguments.join(", ")),
-            ..symbol.clone()
-        };
-        self.unknown(&function).map(Some)
+        self.unknown_by(symbol, text_of_function(symbol, arguments))
+            .map(Some)
     }
 
     pub(super) fn indexed_sum(&mut self, sum: &Node) -> Valued {
@@ -234,6 +260,41 @@ impl Lowering<'_> {
 }
 
 /// A whole number as it stands in a formula.
+/// Whether a value is told by a letter that stands in brackets behind it, `R(\alpha)` where R turns by α.
+fn is_function_of(value: &Value, argument: &Value, atoms: &Atoms) -> bool {
+    let [letter] = argument.entries.as_slice() else {
+        return false;
+    };
+    let Some(letter) = letter.as_variable() else {
+        return false;
+    };
+    let told_by = |v: Variable| {
+        let angle = atoms.angle_of(v);
+        angle.is_some_and(|angle| angle.variables().contains(&letter))
+    };
+    let mut variables = value.entries.iter().flat_map(Fraction::variables);
+    value.columns == 3 && variables.any(told_by)
+}
+
+fn is_time(argument: &Node) -> bool {
+    matches!(&argument.kind, Kind::Symbol(Symbol { name, .. }) if name == "t")
+}
+
+/// The letter of a function for its arguments.
+pub(crate) fn text_of_function(symbol: &Symbol, arguments: &[Node]) -> String {
+    let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
+    let head = print::latex(&symbol_node(symbol));
+    format!("{head}({})", arguments.join(", "))
+}
+
+fn function_of(symbol: &Symbol, arguments: &[Node]) -> Symbol {
+    let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
+    Symbol {
+        name: format!("{}({})", symbol.name, arguments.join(", ")),
+        ..symbol.clone()
+    }
+}
+
 fn number_of(node: &Node) -> Option<i64> {
     match &node.kind {
         Kind::Number(number) if number.value.is_integer() => number.value.to_integer().to_i64(),

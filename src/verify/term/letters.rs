@@ -103,6 +103,8 @@ pub(crate) enum Operator {
     CrossProductMatrix,
     /// The matrix of the rotation by the length of a vector about it.
     RotationVector,
+    /// The matrix of the rotation by an angle about a unit vector that a frame carries.
+    RotationAbout(Quantity, FrameId),
     /// The matrix of the rotation by an angle about an axis.
     AxisRotation(usize),
     /// The matrix that takes components to those on the axes after they have turned so.

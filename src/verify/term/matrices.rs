@@ -4,7 +4,10 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
-use num_traits::Zero;
+use num_traits::{One, Zero};
+
+/// Determinants of more rows are not worked out.
+const MOST_ROWS: usize = 4;
 
 impl Lowering<'_> {
     /// A list of components, or a matrix row by row; entries may be vectors side by side.
@@ -78,24 +81,45 @@ impl Lowering<'_> {
                 row.iter().map(|node| self.value(node)).collect();
             values.push(row?);
         }
-        if values.len() != 3 || values.iter().any(|row| row.len() != 3) {
-            return beyond("a determinant that is not 3 × 3");
+        let size = values.len();
+        if !(2..=MOST_ROWS).contains(&size) || values.iter().any(|row| row.len() != size) {
+            return beyond("a determinant of this size");
         }
         let custom = self.custom();
-        let scalars = |row: &[Value]| {
-            row.iter()
-                .map(Value::to_scalar)
-                .collect::<Result<Vec<_>, _>>()
-        };
-        let (second, third) = (scalars(&values[1])?, scalars(&values[2])?);
+        let below = values[1..].iter().map(|row| {
+            let entries = row.iter().map(Value::to_scalar);
+            entries.collect::<Result<Vec<_>, _>>()
+        });
+        let below = below.collect::<Result<Vec<_>, _>>()?;
+        // The first row may hold the unit vectors of a cross product.
         let mut sum = Value::scalar(Fraction::zero());
-        for (k, first) in values[0].iter().enumerate() {
-            let (p, q) = ((k + 1) % 3, (k + 2) % 3);
-            let minor = second[p].clone() * third[q].clone() - second[q].clone() * third[p].clone();
-            let term = first.scaled(&minor);
+        for (column, first) in values[0].iter().enumerate() {
+            let term = first.scaled(&cofactor(&below, column));
             sum = self.system.plus(&sum, &term, custom)?;
         }
         Ok(sum)
+    }
+}
+
+/// The determinant of what is below an entry of the first row, without its column, with the sign of its place.
+fn cofactor(below: &[Vec<Fraction>], column: usize) -> Fraction {
+    let without = |row: &Vec<Fraction>| {
+        let entries = row.iter().enumerate().filter(|(at, _)| *at != column);
+        entries.map(|(_, entry)| entry.clone()).collect::<Vec<_>>()
+    };
+    let rows: Vec<Vec<Fraction>> = below.iter().map(without).collect();
+    let minor = match rows.split_first() {
+        None => Fraction::one(),
+        Some((first, below)) => {
+            let terms = first.iter().enumerate();
+            terms.fold(Fraction::zero(), |sum, (at, entry)| {
+                sum + entry.clone() * cofactor(below, at)
+            })
+        }
+    };
+    match column % 2 {
+        0 => minor,
+        _ => -minor,
     }
 }
 

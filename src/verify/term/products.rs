@@ -33,13 +33,22 @@ impl Lowering<'_> {
             }
         }
         let mut values: Vec<(Sign, Value)> = vec![];
-        for (sign, run) in runs {
-            match self.run(&run) {
-                Err(Trouble::IllTyped(why)) if sign == Sign::Dot => {
-                    let split = self.dotted_first(&run);
+        for (at, (sign, run)) in runs.iter().enumerate() {
+            let before_cross = runs.get(at + 1).is_some_and(|(s, _)| *s == Sign::Cross);
+            match self.run(run) {
+                Err(Trouble::IllTyped(why)) if *sign == Sign::Dot => {
+                    let split = self.dotted_first(run);
                     values.extend(split.ok_or(Trouble::IllTyped(why))?);
                 }
-                value => values.push((sign, value?)),
+                Ok(value) if before_cross && value.is_scalar() => {
+                    match self.row_before_cross(run) {
+                        Some((row, last)) => {
+                            values.extend([(*sign, row), (Sign::Juxtaposed, last)]);
+                        }
+                        None => values.push((*sign, value)),
+                    }
+                }
+                value => values.push((*sign, value?)),
             }
         }
         let custom = self.custom();
@@ -71,6 +80,13 @@ impl Lowering<'_> {
         let (first, rest) = (self.run(first).ok()?, self.run(rest).ok()?);
         let parts = first.is_vector() && !rest.is_scalar();
         parts.then_some([(Sign::Dot, first), (Sign::Juxtaposed, rest)])
+    }
+
+    /// Of `pᵀ a` before a cross, a row and a vector side by side: in `pᵀ a × b` the cross is that of a and b.
+    fn row_before_cross(&mut self, run: &[&Node]) -> Option<(Value, Value)> {
+        let (rest, last) = run.split_last_chunk::<1>()?;
+        let (rest, last) = (self.run(rest).ok()?, self.run(last).ok()?);
+        (rest.is_row() && last.is_vector()).then_some((rest, last))
     }
 
     /// A letter without an axis that stands once in each of two factors: it is summed over, where that is the convention.

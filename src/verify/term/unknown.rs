@@ -51,7 +51,11 @@ impl Lowering<'_> {
 
     /// A letter of which nothing is told: variables that a definition may settle.
     pub(super) fn unknown(&mut self, symbol: &Symbol) -> Valued {
-        let text = print::latex(&symbol_node(symbol));
+        self.unknown_by(symbol, print::latex(&symbol_node(symbol)))
+    }
+
+    /// A letter of which nothing is told, by its name in messages.
+    pub(super) fn unknown_by(&mut self, symbol: &Symbol, text: String) -> Valued {
         if self.only_known {
             return Err(Trouble::Unknown(text));
         }
