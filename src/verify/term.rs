@@ -1,5 +1,6 @@
 //! From the tree of a formula to a value with its basis.
 
+pub(crate) mod applied;
 pub(crate) mod as_a_whole;
 pub(crate) mod at_instants;
 pub(crate) mod customs;

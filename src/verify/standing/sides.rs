@@ -3,7 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::print::latex;
 use crate::verify::standing::chains::Link;
-use crate::verify::term::functions::text_of_function;
+use crate::verify::term::applied::text_of_function;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Trouble, Value};
 

@@ -1,19 +1,14 @@
 //! Functions, and sums over an index.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::notation::ast::{Function, Kind, Node, Operator as Sign, Symbol};
-use crate::notation::print;
-use crate::verify::model::atoms::Atoms;
+use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::verify::model::frames::{about_axis, about_vector};
 use crate::verify::model::system::{FrameId, Matrix};
-use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
+use crate::verify::term::letters::Effect;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::symbols::symbol_node;
-use crate::verify::term::value::{
-    AT_INSTANT, Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond,
-};
+use crate::verify::term::value::{Basis, OTHER_ARGUMENT, Value, Valued, beyond};
 use num_traits::{One, ToPrimitive, Zero};
 use std::ops::Range;
 
@@ -69,7 +64,7 @@ impl Lowering<'_> {
     }
 
     /// The matrix of the rotation by an angle about an axis.
-    fn axis_rotation(&mut self, axis: usize, angle: &Fraction) -> Valued {
+    pub(super) fn axis_rotation(&mut self, axis: usize, angle: &Fraction) -> Valued {
         let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
             return beyond(OTHER_ARGUMENT);
         };
@@ -80,7 +75,12 @@ impl Lowering<'_> {
     }
 
     /// The matrix of the rotation by an angle about a unit vector, by its components on the frame that carries it.
-    fn rotation_about(&mut self, axis: &Quantity, frame: FrameId, angle: &Fraction) -> Valued {
+    pub(super) fn rotation_about(
+        &mut self,
+        axis: &Quantity,
+        frame: FrameId,
+        angle: &Fraction,
+    ) -> Valued {
         let axis = self.system.value_of(axis)?;
         let n = self.system.written_out(&axis, frame)?.to_vector()?;
         let Some((cosine, sine)) = self.system.atoms.cosine_sine(angle) else {
@@ -91,7 +91,7 @@ impl Lowering<'_> {
     }
 
     /// The matrix of the rotation by the length θ of a vector v about v/θ, which is the same for both roots θ of v·v.
-    fn rotation_by_length(&mut self, value: &Value) -> Valued {
+    pub(super) fn rotation_by_length(&mut self, value: &Value) -> Valued {
         let v = value.to_vector()?;
         let atoms = &mut self.system.atoms;
         let square = atoms.with_squares(&v.dot(&v));
@@ -107,98 +107,6 @@ impl Lowering<'_> {
         let n = v.map(|component| component / length.clone());
         let matrix = about_vector(&n, &cosine, &sine);
         Ok(Value::matrix(&matrix, [Basis::Written; 2]))
-    }
-
-    /// A letter before brackets: a function that the document defines, a function of time, or a product.
-    pub(super) fn call(&mut self, head: &Node, arguments: &[Node]) -> Valued {
-        let operator = self
-            .letters
-            .find(&spelled(head), &loosely(head), self.at, 0)
-            .map(|l| l.meaning.clone());
-        if let (Some(Meaning::Operator(operator)), [argument]) = (operator, arguments) {
-            let value = self.value(argument)?;
-            // An operator on vectors beside the time is another letter, `S(t)` beside `S(v)`.
-            let of_vectors = matches!(
-                operator,
-                Operator::CrossProductMatrix | Operator::RotationVector
-            );
-            if of_vectors
-                && is_time(argument)
-                && let Kind::Symbol(symbol) = &head.kind
-            {
-                return self.unknown_by(symbol, text_of_function(symbol, arguments));
-            }
-            return match operator {
-                Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
-                Operator::RotationVector => self.rotation_by_length(&value),
-                Operator::RotationAbout(axis, frame) => {
-                    self.rotation_about(&axis, frame, &value.to_scalar()?)
-                }
-                Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
-                Operator::AxisRotationOfComponents(axis) => {
-                    self.axis_rotation(axis, &-value.to_scalar()?)
-                }
-            };
-        }
-        if let Some(sum) = sum_of_calls(head, arguments) {
-            return self.value(&sum);
-        }
-        if let [argument] = arguments
-            && is_time(argument)
-        {
-            return self.value(head);
-        }
-        if self.is_density_at(head, arguments) {
-            return self.value(head);
-        }
-        if let Some(value) = self.function_of_letters(head, arguments)? {
-            return Ok(value);
-        }
-        let left = self.value(head)?;
-        let [argument] = arguments else {
-            return beyond("a function of several arguments");
-        };
-        let right = self.value(argument)?;
-        if is_function_of(&left, &right, &self.system.atoms) {
-            return Ok(left);
-        }
-        // `\omega(0)` is no product.
-        if right.is_zero() && !left.is_zero() && self.changes(&left) {
-            return beyond(AT_INSTANT);
-        }
-        let custom = self.custom();
-        self.joined(&left, Sign::Juxtaposed, &right, custom)
-    }
-
-    /// A letter of which nothing is told behind which letters stand in brackets is a function of them, `H(\eta)`: a letter of
-    /// its own for each of its arguments.
-    fn function_of_letters(
-        &mut self,
-        head: &Node,
-        arguments: &[Node],
-    ) -> Result<Option<Value>, Trouble> {
-        let Kind::Symbol(symbol) = &head.kind else {
-            return Ok(None);
-        };
-        let letter = |node: &Node| matches!(node.kind, Kind::Symbol(_));
-        if !arguments.iter().all(letter) {
-            return Ok(None);
-        }
-        let told = self
-            .letters
-            .find(&spelled(head), &loosely(head), self.at, 0);
-        // "`$T$` is the same as `$T(\phi)$`": the letter alone is short for the function.
-        let short = told.is_some_and(|told| match &told.meaning {
-            Meaning::Same(node) => {
-                matches!(&node.kind, Kind::Call(own, _) if spelled(own) == spelled(head))
-            }
-            _ => false,
-        });
-        if !short && self.known(symbol)?.is_some() {
-            return Ok(None);
-        }
-        self.unknown_by(symbol, text_of_function(symbol, arguments))
-            .map(Some)
     }
 
     pub(super) fn indexed_sum(&mut self, sum: &Node) -> Valued {
@@ -260,41 +168,6 @@ impl Lowering<'_> {
 }
 
 /// A whole number as it stands in a formula.
-/// Whether a value is told by a letter that stands in brackets behind it, `R(\alpha)` where R turns by α.
-fn is_function_of(value: &Value, argument: &Value, atoms: &Atoms) -> bool {
-    let [letter] = argument.entries.as_slice() else {
-        return false;
-    };
-    let Some(letter) = letter.as_variable() else {
-        return false;
-    };
-    let told_by = |v: Variable| {
-        let angle = atoms.angle_of(v);
-        angle.is_some_and(|angle| angle.variables().contains(&letter))
-    };
-    let mut variables = value.entries.iter().flat_map(Fraction::variables);
-    value.columns == 3 && variables.any(told_by)
-}
-
-fn is_time(argument: &Node) -> bool {
-    matches!(&argument.kind, Kind::Symbol(Symbol { name, .. }) if name == "t")
-}
-
-/// The letter of a function for its arguments.
-pub(crate) fn text_of_function(symbol: &Symbol, arguments: &[Node]) -> String {
-    let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
-    let head = print::latex(&symbol_node(symbol));
-    format!("{head}({})", arguments.join(", "))
-}
-
-fn function_of(symbol: &Symbol, arguments: &[Node]) -> Symbol {
-    let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
-    Symbol {
-        name: format!("{}({})", symbol.name, arguments.join(", ")),
-        ..symbol.clone()
-    }
-}
-
 fn number_of(node: &Node) -> Option<i64> {
     match &node.kind {
         Kind::Number(number) if number.value.is_integer() => number.value.to_integer().to_i64(),
@@ -316,7 +189,7 @@ fn is_over_all((lower, upper): &(Box<Node>, Box<Node>)) -> bool {
 }
 
 /// The sum reaches over what its last factor is multiplied by.
-fn sum_of_calls(head: &Node, arguments: &[Node]) -> Option<Node> {
+pub(super) fn sum_of_calls(head: &Node, arguments: &[Node]) -> Option<Node> {
     let Kind::IndexedSum {
         index,
         limits,

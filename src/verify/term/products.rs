@@ -5,7 +5,7 @@ use crate::notation::ast::{Factor, Kind, Node, Operator as Sign};
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::letters::{loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 use std::borrow::Cow;
@@ -136,37 +136,11 @@ impl Lowering<'_> {
         if let Some(found) = self.phrase(run) {
             return Some(found);
         }
+        if let Some(matrix) = self.matrix_of_angle(run) {
+            return Some((2, Ok(matrix)));
+        }
         let differential = run.len() > 1 && self.is_differential(run[0]);
         differential.then(|| (2, self.differential(run[1])))
-    }
-
-    /// `R(a)^T`, `W(v)^2`: what the operator gives is raised, and not what it acts on.
-    fn raised_call(&self, run: &[&Node]) -> Option<Node> {
-        let [letter, raised, ..] = run else {
-            return None;
-        };
-        let known = self
-            .letters
-            .find(&spelled(letter), &loosely(letter), self.at, 0)?;
-        if !matches!(known.meaning, Meaning::Operator(_)) {
-            return None;
-        }
-        let call = |argument: &Node| match &argument.kind {
-            Kind::Group(_, inner) => Some(Box::new(Node {
-                span: raised.span,
-                kind: Kind::Call(Box::new((*letter).clone()), vec![(**inner).clone()]),
-            })),
-            _ => None,
-        };
-        let kind = match &raised.kind {
-            Kind::Transpose(argument) => Kind::Transpose(call(argument)?),
-            Kind::Power(argument, exponent) => Kind::Power(call(argument)?, exponent.clone()),
-            _ => return None,
-        };
-        Some(Node {
-            span: raised.span,
-            kind,
-        })
     }
 
     /// Factors side by side. Matrices act on what stands right of them, so the product is taken from the right.

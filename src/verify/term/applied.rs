@@ -1,0 +1,193 @@
+//! Letters before brackets that are applied to what stands in them, and not multiplied by it.
+
+use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::{Bracket, Kind, Node, Operator as Sign, Symbol};
+use crate::notation::print;
+use crate::verify::model::system::{Matrix, System};
+use crate::verify::term::functions::sum_of_calls;
+use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
+use crate::verify::term::lower::Lowering;
+use crate::verify::term::symbols::symbol_node;
+use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
+
+impl Lowering<'_> {
+    /// A letter before brackets: a function that the document defines, a function of time, or a product.
+    pub(super) fn call(&mut self, head: &Node, arguments: &[Node]) -> Valued {
+        let operator = self
+            .letters
+            .find(&spelled(head), &loosely(head), self.at, 0)
+            .map(|l| l.meaning.clone());
+        if let (Some(Meaning::Operator(operator)), [argument]) = (operator, arguments) {
+            let value = self.value(argument)?;
+            // An operator on vectors beside the time is another letter, `S(t)` beside `S(v)`.
+            let of_vectors = matches!(
+                operator,
+                Operator::CrossProductMatrix | Operator::RotationVector
+            );
+            if of_vectors
+                && is_time(argument)
+                && let Kind::Symbol(symbol) = &head.kind
+            {
+                return self.unknown_by(symbol, text_of_function(symbol, arguments));
+            }
+            return match operator {
+                Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
+                Operator::RotationVector => self.rotation_by_length(&value),
+                Operator::RotationAbout(axis, frame) => {
+                    self.rotation_about(&axis, frame, &value.to_scalar()?)
+                }
+                Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
+                Operator::AxisRotationOfComponents(axis) => {
+                    self.axis_rotation(axis, &-value.to_scalar()?)
+                }
+            };
+        }
+        if let Some(sum) = sum_of_calls(head, arguments) {
+            return self.value(&sum);
+        }
+        if let [argument] = arguments
+            && is_time(argument)
+        {
+            return self.value(head);
+        }
+        if self.is_density_at(head, arguments) {
+            return self.value(head);
+        }
+        if let Some(value) = self.function_of_letters(head, arguments)? {
+            return Ok(value);
+        }
+        let left = self.value(head)?;
+        let [argument] = arguments else {
+            return beyond("a function of several arguments");
+        };
+        let right = self.value(argument)?;
+        if is_function_of(&left, &right, self.system) {
+            return Ok(left);
+        }
+        // `\omega(0)` is no product.
+        if right.is_zero() && !left.is_zero() && self.changes(&left) {
+            return beyond(AT_INSTANT);
+        }
+        let custom = self.custom();
+        self.joined(&left, Sign::Juxtaposed, &right, custom)
+    }
+
+    /// A letter of which nothing is told behind which letters stand in brackets is a function of them, `H(\eta)`: a letter of
+    /// its own for each of its arguments.
+    fn function_of_letters(
+        &mut self,
+        head: &Node,
+        arguments: &[Node],
+    ) -> Result<Option<Value>, Trouble> {
+        let Kind::Symbol(symbol) = &head.kind else {
+            return Ok(None);
+        };
+        let letter = |node: &Node| matches!(node.kind, Kind::Symbol(_));
+        if !arguments.iter().all(letter) {
+            return Ok(None);
+        }
+        let told = self
+            .letters
+            .find(&spelled(head), &loosely(head), self.at, 0);
+        // "`$T$` is the same as `$T(\phi)$`": the letter alone is short for the function.
+        let short = told.is_some_and(|told| match &told.meaning {
+            Meaning::Same(node) => {
+                matches!(&node.kind, Kind::Call(own, _) if spelled(own) == spelled(head))
+            }
+            _ => false,
+        });
+        if !short && self.known(symbol)?.is_some() {
+            return Ok(None);
+        }
+        self.unknown_by(symbol, text_of_function(symbol, arguments))
+            .map(Some)
+    }
+
+    /// `R(\alpha)`, `R^T(\alpha(t))` of a matrix that turns by α.
+    pub(super) fn matrix_of_angle(&mut self, run: &[&Node]) -> Option<Value> {
+        let [matrix, argument, ..] = run else {
+            return None;
+        };
+        let letter = |node: &Node| matches!(node.kind, Kind::Symbol(_));
+        let head = match &matrix.kind {
+            Kind::Power(base, _) | Kind::Transpose(base) => letter(base),
+            _ => letter(matrix),
+        };
+        let Kind::Group(Bracket::Round, inner) = &argument.kind else {
+            return None;
+        };
+        let alone = match &inner.kind {
+            Kind::Call(angle, of) => letter(angle) && of.iter().all(is_time),
+            _ => letter(inner),
+        };
+        if !head || !alone {
+            return None;
+        }
+        let (matrix, angle) = (self.value(matrix).ok()?, self.value(inner).ok()?);
+        is_function_of(&matrix, &angle, self.system).then_some(matrix)
+    }
+
+    /// `R(a)^T`, `W(v)^2`: what the operator gives is raised, and not what it acts on.
+    pub(super) fn raised_call(&self, run: &[&Node]) -> Option<Node> {
+        let [letter, raised, ..] = run else {
+            return None;
+        };
+        let known = self
+            .letters
+            .find(&spelled(letter), &loosely(letter), self.at, 0)?;
+        if !matches!(known.meaning, Meaning::Operator(_)) {
+            return None;
+        }
+        let call = |argument: &Node| match &argument.kind {
+            Kind::Group(_, inner) => Some(Box::new(Node {
+                span: raised.span,
+                kind: Kind::Call(Box::new((*letter).clone()), vec![(**inner).clone()]),
+            })),
+            _ => None,
+        };
+        let kind = match &raised.kind {
+            Kind::Transpose(argument) => Kind::Transpose(call(argument)?),
+            Kind::Power(argument, exponent) => Kind::Power(call(argument)?, exponent.clone()),
+            _ => return None,
+        };
+        Some(Node {
+            span: raised.span,
+            kind,
+        })
+    }
+}
+
+/// Whether a value is told by a letter that stands in brackets behind it, `R(\alpha)` where R turns by α.
+pub(super) fn is_function_of(value: &Value, argument: &Value, system: &mut System) -> bool {
+    let [letter] = argument.entries.as_slice() else {
+        return false;
+    };
+    let Some(letter) = letter.as_variable() else {
+        return false;
+    };
+    if (value.rows, value.columns) != (3, 3) {
+        return false;
+    }
+    // What only takes components to other axes turns as these do.
+    let turned = match value.basis {
+        [Basis::On(to), Basis::On(from)] => system.rotation(to, from),
+        _ => Matrix::zeros(),
+    };
+    let told_by = |v: Variable| {
+        let angle = system.atoms.angle_of(v);
+        angle.is_some_and(|angle| angle.variables().contains(&letter))
+    };
+    let entries = value.entries.iter().chain(turned.iter());
+    entries.flat_map(Fraction::variables).any(told_by)
+}
+
+pub(super) fn is_time(argument: &Node) -> bool {
+    matches!(&argument.kind, Kind::Symbol(Symbol { name, .. }) if name == "t")
+}
+
+/// The letter of a function for its arguments.
+pub(crate) fn text_of_function(symbol: &Symbol, arguments: &[Node]) -> String {
+    let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
+    let head = print::latex(&symbol_node(symbol));
+    format!("{head}({})", arguments.join(", "))
+}
