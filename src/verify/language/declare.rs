@@ -9,6 +9,7 @@ use super::counted::{number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
+use super::everywhere::build_everywhere;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
@@ -46,7 +47,6 @@ use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_apart::told_apart;
 use super::told_in_parts::say_in_parts;
-use super::turned_in_parts::turn_in_parts;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::{tell_gravity, tell_zeros};
@@ -175,7 +175,7 @@ fn in_plain_terms(
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);
     turn_about_axes_of_symmetry(&mut declarations);
-    turn_in_parts(&mut declarations, macros);
+    build_everywhere(&mut declarations, macros);
     say_in_parts(declarations)
 }
 

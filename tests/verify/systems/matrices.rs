@@ -87,3 +87,102 @@ $$ \hat b_1\cdot\vec\omega\,\vec\omega = -(\hat b_1\cdot\vec\omega)\vec\omega $$
 ";
     assert_eq!(judged(said, text), "prppr");
 }
+
+#[test]
+fn a_frame_turns_by_an_angle_about_any_vector() {
+    let sentences = "N is an inertial frame.
+$e_1$, $e_2$, $e_3$ are the axes of N.
+$\\vec n$ is a unit vector fixed in N.
+A is a frame that turns relative to N.
+A turns relative to N about $\\vec n$ by the angle $\\beta$.
+$Q$ takes components on A to components on N.
+$P_n(\\gamma)$ is the matrix of the rotation by $\\gamma$ about $\\vec n$, for any angle $\\gamma$.
+$u$ is any vector.
+$\\vec\\omega$ is the angular velocity of A relative to N.
+";
+    let text = r"
+$$ Q = P_n(\beta) $$
+$$ Q = P_n(-\beta) $$
+$$ Q^{-1}(\beta) = P_n(-\beta) $$
+$$ P_n(\beta)P_n(\gamma) = P_n(\beta+\gamma) $$
+$$ \vec\omega = \dot\beta\,\vec n $$
+$$ \vec\omega = -\dot\beta\,\vec n $$
+";
+    assert_eq!(judged(sentences, text), "prpppr");
+}
+
+#[test]
+fn an_operator_on_vectors_beside_the_time_is_another_letter() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$R$ takes components on B to components on N.
+$w$ is the angular velocity of B relative to N in components on N.
+$S(v)$ is the cross-product matrix of $v$, for any vector $v$.
+$t$ is the time.
+Line 2 defines $S(t)$.
+";
+    let text = r"
+$$ S(t) = \dot R R^T(t) $$
+$$ \dot R = S(t)R(t) $$
+$$ S(t) = S(w) $$
+$$ S(w) = R^T\dot R $$
+";
+    assert_eq!(judged(sentences, text), "appr");
+}
+
+#[test]
+fn a_number_beside_matrices_is_defined_by_no_line() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$R$ takes components on B to components on N.
+$w$ is the angular velocity of B relative to N in components on N.
+$W(v)$ is the cross-product matrix of $v$, for any vector $v$.
+";
+    let text = r"
+We define $$ \dot R = c R $$
+$$ W(w) = R^T\dot R $$
+";
+    assert_eq!(judged(sentences, text), "ur");
+}
+
+#[test]
+fn a_cross_stands_behind_a_row_or_with_nothing_behind_it() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$R$ takes components on B to components on N.
+$w$ is the angular velocity of B relative to N in components on B.
+$w\\times$ is the cross-product matrix of $w$.
+$\\vec a$, $\\vec b$, $\\vec c$ are any vectors.
+";
+    let text = r"
+$$ \dot R = R\,w\times $$
+$$ \dot R = w\times R $$
+$$ \ddot R = R\,w\times w\times + R\,\dot w\times $$
+$$ \vec a^T\vec b\times\vec c = \vec a\cdot(\vec b\times\vec c) $$
+$$ 2\vec a^T\vec b\times\vec c = \vec b\cdot(\vec a\times\vec c) $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+}
+
+#[test]
+fn lists_are_on_the_frame_that_a_sentence_says() {
+    let sentences = "N is an inertial frame.
+A is a frame that turns relative to N.
+$a_1$, $a_2$, $a_3$ are the axes of A.
+B is a frame fixed in the top.
+B turns relative to A about $a_3$ by the angle $\\phi$.
+O is a point fixed in N and in B.
+$J_1$, $J_1$, $J_3$ are the principal moments of the top about O on B.
+$\\vec K$ is the angular momentum of the top about O relative to N.
+$\\vec w$ is the angular velocity of the top relative to N.
+$w_1$, $w_2$, $w_3$ are the components of $\\vec w$ on A.
+Parentheses hold components on A.
+";
+    let text = r"
+$$ \vec K = (J_1 w_1, J_1 w_2, J_3 w_3) $$
+$$ \vec K = (J_3 w_1, J_1 w_2, J_3 w_3) $$
+$$ \det\begin{bmatrix} w_1 & w_2\\ w_2 & w_1\end{bmatrix} = w_1^2 - w_2^2 $$
+$$ \det\begin{bmatrix} w_1 & w_2\\ w_2 & w_1\end{bmatrix} = w_1^2 + w_2^2 $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}

@@ -215,3 +215,27 @@ $$ \hat n_{\dot s}' = 0 $$
 ";
     assert_eq!(judged(sentences, text), "ppupu");
 }
+
+#[test]
+fn members_are_placed_along_unit_vectors_of_their_own() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the hub.
+O is a point fixed in B.
+The craft consists of the hub and the particles.
+$j$ numbers the particles.
+$P_j$ is a point fixed in B.
+$\\hat p_j$ is a unit vector fixed in B.
+Particle $j$ is placed from $P_j$ by $\\rho_j\\hat p_j$.
+$m_j$ is the mass of particle $j$.
+$m$ is the mass of the craft.
+C is the mass centre of the craft.
+$\\vec c$ is the position of C from O.
+A prime means the rate seen from B.
+";
+    let text = r"
+$$ \vec c' = \frac1m\sum_j m_j\dot\rho_j\hat p_j $$
+$$ \vec c' = \sum_j m_j\dot\rho_j\hat p_j $$
+$$ \vec c'' = \frac1m\sum_j m_j\ddot\rho_j\hat p_j $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}

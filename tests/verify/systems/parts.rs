@@ -74,3 +74,36 @@ $$ \frac{d\vec u}{dt} = \vec u\times\vec\omega $$
 ";
     assert_eq!(judged(sentences, text), "ppr");
 }
+
+#[test]
+fn what_is_built_in_one_part_has_letters_of_its_own_there() {
+    let sentences = "N is an inertial frame.
+x, y, z are the axes of N.
+z is the upward vertical.
+O is a point fixed in N.
+$g$ is the acceleration of gravity.
+On lines 1 to 4 the rod is a uniform thin rod of mass $M$ and length $h$.
+D is a frame fixed in the rod.
+p, q, r are the axes of D.
+H is the mass centre of the rod.
+O is a point fixed in D.
+H lies at the distance $\\frac{h}{2}$ from O along $-r$.
+The rod lies along r with its middle at H.
+On lines 1 to 4 D turns relative to N about y by the angle $\\theta$.
+The weight and the force at O are the only loads on the rod.
+On lines 1 to 4 $J$ is the moment of inertia of the rod about the axis through O along q.
+On lines 5 to 9 the ball is a uniform solid sphere of mass $M$ and radius $a$.
+S is a frame fixed in the ball.
+K is the mass centre of the ball.
+On lines 5 to 9 S turns relative to N about y by the angle $\\theta$.
+On lines 5 to 9 $J$ is the moment of inertia of the ball about the axis through K along y.
+";
+    let text = r"
+$$ J\ddot\theta = -Mg\tfrac h2\sin\theta $$
+$$ J = \tfrac13 Mh^2 $$
+$$ J = \tfrac25 Ma^2 $$
+$$ J = \tfrac25 Ma^2 $$
+$$ J = \tfrac13 Mh^2 $$
+";
+    assert_eq!(judged(sentences, text), "pprpr");
+}

@@ -115,3 +115,38 @@ $$ \frac{d^2\vec r}{dt^2} = \tfrac25\,\vec\Omega\times\frac{d\vec r}{dt} $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+/// Routh, Advanced Rigid Dynamics, 1905, article 244: a disc whose axle meets the floor at a fixed point.
+#[test]
+fn a_leaning_disc_whose_axle_meets_the_floor() {
+    let sentences = "N is an inertial frame.
+$k$ is the upward vertical.
+The table is a horizontal plane fixed in N.
+The coin is a uniform thin disc of mass $m$ and radius $b$.
+G is the mass centre of the coin.
+C is the point where the coin touches the table.
+The coin rolls on the table at C without slipping.
+Q is a point of the table fixed in N.
+The axis of the coin passes through Q.
+e is the unit vector from Q to G.
+D is a frame that turns relative to N about $k$.
+e is fixed in D.
+The angle between e and $k$ is $\\beta$.
+$\\beta$ lies between $0$ and $\\pi/2$.
+$g$ is the acceleration of gravity.
+The weight and the force of the table at C are the only loads on the coin.
+$s$ is the angular velocity of the coin relative to N along e.
+$\\Omega$ is the angular velocity of D relative to N along $k$.
+$M$ is the magnitude of the moment of the weight of the coin about C.
+$H$ is the magnitude of the angular momentum of the coin about C relative to N.
+";
+    let text = r"
+$$ \Omega\sin\beta = - s\cot\beta\sin\beta\tan\beta $$
+$$ M = m g b\cos\beta $$
+$$ M = m g b\sin\beta $$
+$$ H = \tfrac32 m b^2 s $$
+$$ s^2 b = \frac{4g\sin^3\beta}{1+5\sin^2\beta} $$
+$$ s^2 b = \frac{4g\sin^2\beta}{1+5\sin^2\beta} $$
+";
+    assert_eq!(judged(sentences, text), "rprrpr");
+}
