@@ -144,6 +144,8 @@ pub(crate) const ROTATION_MATRIX: &str = "rotation matrix";
 pub(crate) const TENSOR_PRODUCT: &str = "tensor product";
 /// A sign of a custom: the full stop of `a.b`.
 pub(crate) const FULL_STOP: &str = "full stop between vectors";
+/// A dot that is no dot product.
+pub(crate) const QUATERNION_DOT: &str = "dot between quaternions";
 /// Columns of a motion in a plane.
 pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
 /// Products that no letter names.
@@ -215,6 +217,7 @@ mod tests {
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
             FULL_STOP,
+            QUATERNION_DOT,
             TENSOR_PRODUCT,
             ROTATION_MATRIX,
             COLUMNS_OF_TWO,

@@ -2,8 +2,8 @@
 
 use crate::notation::ast::{Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, QUATERNION_PRODUCT,
-    SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
+    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, QUATERNION_DOT,
+    QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -138,6 +138,12 @@ impl Builder<'_> {
         {
             let read = self.label_instants(labels, instants, &reach);
             return read.unwrap_or_else(|| self.say_unused(declaration));
+        }
+        if let (Sign::Custom(QUATERNION_DOT), NotationMeaning::Noun(product)) = (sign, meaning)
+            && product.head == QUATERNION_PRODUCT
+        {
+            self.reading.letters.customs.quaternion_dots = true;
+            return;
         }
         let Some(effect) = self.effect(meaning) else {
             return self.say_unused(declaration);

@@ -16,6 +16,8 @@ pub(crate) struct Customs {
     pub(crate) integrals: bool,
     /// Square brackets around a vector make its cross-product matrix.
     pub(crate) crossing_brackets: bool,
+    /// A dot between quaternions is their product.
+    pub(crate) quaternion_dots: bool,
     /// Where the scalar stands in a quaternion.
     pub(crate) layout: Layout,
     /// The names of axes that only one frame has.

@@ -9,6 +9,7 @@ use crate::verify::term::at_instants::Present;
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::symbols::on;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -116,6 +117,16 @@ impl<'a> Lowering<'a> {
     }
 
     fn group(&mut self, bracket: Bracket, inner: &Node) -> Valued {
+        // "Braces hold components on B": those of the vector that stands in them.
+        if bracket == Bracket::Curly
+            && let Some(frame) = self.frame_of_brackets()
+        {
+            let value = self.unlabelled(|lowering| lowering.value(inner))?;
+            return Ok(match value.basis == [Basis::Itself; 2] {
+                true => on(value, frame),
+                false => value,
+            });
+        }
         let value = self.value(inner)?;
         let alone = matches!(inner.kind, Kind::Symbol(_) | Kind::InFrame(..));
         self.in_brackets(value, alone && bracket == Bracket::Square)

@@ -333,7 +333,8 @@ impl Lowering<'_> {
         let factors = [left, right]
             .iter()
             .all(|v| v.is_quaternion() || v.is_vector());
-        if quaternions && factors && matches!(sign, Sign::Tensor | Sign::Juxtaposed) {
+        let dots = self.letters.customs.quaternion_dots && sign == Sign::Dot;
+        if quaternions && factors && (dots || matches!(sign, Sign::Tensor | Sign::Juxtaposed)) {
             let layout = self.letters.customs.layout;
             return self.system.quaternion_product(left, right, layout);
         }

@@ -358,7 +358,7 @@ impl Lowering<'_> {
     }
 
     /// Of what a mark acts on, a rule for writings without a mark says nothing.
-    fn unlabelled(&mut self, value: impl FnOnce(&mut Self) -> Valued) -> Valued {
+    pub(super) fn unlabelled(&mut self, value: impl FnOnce(&mut Self) -> Valued) -> Valued {
         let value = value(self)?;
         match self.letters.mark(Mark::NoLabel, self.at) {
             Some(Effect::ComponentsOn(frame)) if value.vector_basis() == Basis::On(*frame) => {
