@@ -1,6 +1,6 @@
 //! How a thing turns or what shape it has, where only a part of the document says it: it is so everywhere.
 
-use super::heads::SIZES;
+use super::heads::{EULER_ANGLES, SIZES};
 use super::reader::formula;
 use super::statement::{Declaration, Extent, Formula, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -65,6 +65,9 @@ fn built(statement: &Statement) -> Option<(Build, &Term)> {
     let Statement::Is { subjects, what } = statement else {
         return None;
     };
+    if what.head == EULER_ANGLES {
+        return Some((Build::Turn, what.slot(Slot::Of)?));
+    }
     let [thing] = subjects.as_slice() else {
         return None;
     };
@@ -101,7 +104,15 @@ fn letters(statement: &Statement) -> Vec<&Formula> {
         }
         _ => vec![],
     });
-    letters.collect()
+    let angles = match statement {
+        Statement::Is { subjects, what } if what.head == EULER_ANGLES => subjects.as_slice(),
+        _ => &[],
+    };
+    let angles = angles.iter().filter_map(|angle| match angle {
+        Term::Formula(letter) => Some(letter),
+        _ => None,
+    });
+    letters.chain(angles).collect()
 }
 
 /// A letter for an angle or a size whose own one is spoken of in other parts as well.

@@ -135,7 +135,10 @@ fn ended<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'
         let joined = tokens[at..].iter().take_while(|t| parts(t)).count();
         let last = &tokens[(at + joined).min(tokens.len())..];
         let limited = tokens[..at].iter().any(begins_extent);
-        if !parted || limited || last.is_empty() || last.iter().any(points_back) {
+        // Without a verb before it a comma stands in a list.
+        let copula = |t: &Token| COPULAS.contains(&t.lower.as_str());
+        let in_list = tokens[at].kind == Kind::Comma && !tokens[..at].iter().any(copula);
+        if !parted || limited || in_list || last.is_empty() || last.iter().any(points_back) {
             continue;
         }
         let told = |said: &Declaration| !matches!(said.statement, Statement::Holds(_));

@@ -58,7 +58,11 @@ impl Lowering<'_> {
         }
         let left = self.value(head)?;
         let [argument] = arguments else {
-            return beyond("a function of several arguments");
+            // No vector is multiplied by a list: these are what it depends on.
+            return match left.is_vector() {
+                true => Ok(left),
+                false => beyond("a function of several arguments"),
+            };
         };
         let right = self.value(argument)?;
         if is_function_of(&left, &right, self.system) {
