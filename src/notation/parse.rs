@@ -9,6 +9,7 @@ mod columns;
 mod derivative;
 mod environment;
 mod factor;
+mod frame_label;
 mod function;
 mod group;
 mod integral;

@@ -3,8 +3,8 @@
 mod differential;
 
 use super::Parser;
+use super::frame_label::in_frame;
 use super::letter::is_mark;
-use super::script::in_frame;
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::notation::plain_words;
 use crate::notation::token::{Lexeme, Token};

@@ -211,7 +211,7 @@ impl<'a> Parser<'_, 'a> {
             return node;
         }
         for label in labels {
-            node = super::script::marked(node, label);
+            node = super::frame_label::marked(node, label);
         }
         node.span = self.since(start);
         node
@@ -222,7 +222,7 @@ impl<'a> Parser<'_, 'a> {
         let labels = [self.frame_label(), self.frame_label()];
         let mut node = self.argument_node();
         for label in labels.into_iter().filter(|label| !label.text.is_empty()) {
-            node = super::script::marked(node, label);
+            node = super::frame_label::marked(node, label);
         }
         node.span = self.since(start);
         self.scripts(node, start)

@@ -188,7 +188,7 @@ impl<'t, 'a> Parser<'t, 'a> {
     fn ringed(&mut self, operand: Node, order: u8, start: usize) -> Node {
         let label = super::derivative::turning(self.since(start));
         let node = self.scripts(dotted(operand, order), start);
-        super::script::in_frame(node, label)
+        super::frame_label::in_frame(node, label)
     }
 
     /// `\mathrm{body}` is one word; `\mathrm{diag}` and its like are functions.

@@ -147,7 +147,7 @@ impl<'a> Splitter<'a> {
                 }
                 Lexeme::Row | Lexeme::Ampersand if !outside && environments == 0 => {}
                 // A formula over several rows has its sign of relation in any of them.
-                Lexeme::Row if outside && is_one_formula(environment) && !self.related => {}
+                Lexeme::Row if outside && environment.starts_with("multline") && !self.related => {}
                 Lexeme::Row if outside => {
                     ampersands = 0;
                     self.flush(Break::Row);
@@ -340,11 +340,6 @@ fn is_arrow(name: &str) -> bool {
             | "impliedby"
             | "rightsquigarrow"
     )
-}
-
-/// Whether the rows of an environment are of one formula.
-fn is_one_formula(environment: &str) -> bool {
-    environment.starts_with("multline")
 }
 
 /// Whether a sign of relation stands in the rows outside inner brackets.

@@ -224,7 +224,7 @@ impl Parser<'_, '_> {
         let label = self.frame_label();
         if let Some(last) = factors.last_mut() {
             let node = std::mem::replace(&mut last.node, self.error(""));
-            last.node = super::script::in_frame(node, label);
+            last.node = super::frame_label::in_frame(node, label);
         }
     }
 

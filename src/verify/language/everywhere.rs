@@ -13,14 +13,17 @@ enum Build {
 }
 
 /// "On lines 1 to 9 B turns relative to N about z by the angle `$\\theta$`": so B turns, and an angle of its own is θ there.
-pub(super) fn build_everywhere(declarations: &mut Vec<Declaration>, macros: &Macros) {
+pub(super) fn built_everywhere(
+    mut declarations: Vec<Declaration>,
+    macros: &Macros,
+) -> Vec<Declaration> {
     let told = (0..declarations.len()).filter_map(|at| {
         let declaration = &declarations[at];
         let built = built(&declaration.statement);
-        let (_, thing) = built.filter(|built| is_told_once(declarations, built))?;
+        let (_, thing) = built.filter(|built| is_told_once(&declarations, built))?;
         let letters = letters(&declaration.statement).into_iter();
         let letters = letters.filter_map(|letter| {
-            let own = own_letter(declarations, at, letter, thing, macros)?;
+            let own = own_letter(&declarations, at, letter, thing, macros)?;
             Some((letter.clone(), own))
         });
         (declaration.extent != Extent::Document).then(|| (at, letters.collect()))
@@ -42,6 +45,7 @@ pub(super) fn build_everywhere(declarations: &mut Vec<Declaration>, macros: &Mac
             });
         }
     }
+    declarations
 }
 
 /// Writes another letter for one, also in what hangs on a noun.

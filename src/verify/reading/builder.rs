@@ -62,20 +62,7 @@ pub(crate) fn build(
             let then = has_condition(d) || is_of_instant(d);
             then && !tells_zero_of_potential(d, declarations) || denies(d)
         });
-    let mut builder = Builder {
-        declarations: &always,
-        reading: Reading::default(),
-        frames: BTreeMap::new(),
-        points: BTreeMap::new(),
-        bodies: BTreeMap::new(),
-        families: BTreeMap::new(),
-        axes: NamedAxes::default(),
-        bearings: Bearings::default(),
-        gravity: None,
-        through: vec![],
-        points_of: vec![],
-        hubs: vec![],
-    };
+    let mut builder = Builder::of(&always);
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
     builder.reading.letters.written = written;
@@ -110,6 +97,25 @@ pub(crate) fn build(
     builder.widen_unused();
     builder.connect_unused(&conditional);
     builder.reading
+}
+
+impl<'a> Builder<'a> {
+    fn of(declarations: &'a [Declaration]) -> Self {
+        Self {
+            declarations,
+            reading: Reading::default(),
+            frames: BTreeMap::new(),
+            points: BTreeMap::new(),
+            bodies: BTreeMap::new(),
+            families: BTreeMap::new(),
+            axes: NamedAxes::default(),
+            bearings: Bearings::default(),
+            gravity: None,
+            through: vec![],
+            points_of: vec![],
+            hubs: vec![],
+        }
+    }
 }
 
 impl Builder<'_> {

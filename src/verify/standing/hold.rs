@@ -381,10 +381,8 @@ impl Judge<'_> {
             }
             return held;
         }
-        let mut free: Vec<_> = residuals.iter().flat_map(Fraction::variables).collect();
-        free.sort();
-        free.dedup();
-        free.retain(|&v| atoms.is_unknown(v));
+        let free = residuals.iter().flat_map(Fraction::variables);
+        let free: BTreeSet<_> = free.filter(|&v| atoms.is_unknown(v)).collect();
         let open = !free.is_empty();
         // A new letter that is taken as a number beside matrices would say more than what it is.
         held.restricts = held.sides.len() > 3 && free.len() < 3;

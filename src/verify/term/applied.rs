@@ -30,17 +30,7 @@ impl Lowering<'_> {
             {
                 return self.unknown_by(symbol, text_of_function(symbol, arguments));
             }
-            return match operator {
-                Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
-                Operator::RotationVector => self.rotation_by_length(&value),
-                Operator::RotationAbout(axis, frame) => {
-                    self.rotation_about(&axis, frame, &value.to_scalar()?)
-                }
-                Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
-                Operator::AxisRotationOfComponents(axis) => {
-                    self.axis_rotation(axis, &-value.to_scalar()?)
-                }
-            };
+            return self.applied(operator, value);
         }
         if let Some(sum) = sum_of_calls(head, arguments) {
             return self.value(&sum);
@@ -74,6 +64,21 @@ impl Lowering<'_> {
         }
         let custom = self.custom();
         self.joined(&left, Sign::Juxtaposed, &right, custom)
+    }
+
+    /// What an operator of the document makes of a value.
+    fn applied(&mut self, operator: Operator, value: Value) -> Valued {
+        match operator {
+            Operator::CrossProductMatrix => self.affected(value, &Effect::CrossProductMatrix),
+            Operator::RotationVector => self.rotation_by_length(&value),
+            Operator::RotationAbout(axis, frame) => {
+                self.rotation_about(&axis, frame, &value.to_scalar()?)
+            }
+            Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
+            Operator::AxisRotationOfComponents(axis) => {
+                self.axis_rotation(axis, &-value.to_scalar()?)
+            }
+        }
     }
 
     /// A letter of which nothing is told behind which letters stand in brackets is a function of them, `H(\eta)`: a letter of

@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::notation::ast::{Function, Kind, Node, Symbol};
+use crate::notation::ast::{Function, Kind, Node};
 use crate::verify::model::frames::{about_axis, about_vector};
 use crate::verify::model::system::{FrameId, Matrix};
 use crate::verify::term::letters::Effect;

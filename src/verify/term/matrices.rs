@@ -2,14 +2,29 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
+use crate::verify::model::system::FrameId;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
+use std::collections::BTreeSet;
 
 /// Determinants of more rows are not worked out.
 const MOST_ROWS: usize = 4;
 
 impl Lowering<'_> {
+    /// A list of components of one frame is on that frame, unless a sentence says what lists are on.
+    fn on_its_frame(&mut self, list: Value, frames: &BTreeSet<FrameId>) -> Valued {
+        let told = self.frame_of_brackets();
+        let own = frames.first().filter(|_| frames.len() == 1).copied();
+        match told.or(own).filter(|_| list.is_vector()) {
+            Some(frame) => {
+                let basis = [Basis::On(frame), Basis::Any];
+                self.system.taken_on(&list, basis, frame)
+            }
+            None => Ok(list),
+        }
+    }
+
     /// A list of components, or a matrix row by row; entries may be vectors side by side.
     pub(super) fn list(&mut self, rows: &[Vec<Node>], column: bool) -> Valued {
         let seen = std::mem::take(&mut self.frames_seen);
@@ -34,16 +49,7 @@ impl Lowering<'_> {
                 true => Value::written(entries.len(), 1, entries),
                 false => Value::written(values.len(), width, entries),
             };
-            // A list of components of one frame is on that frame, unless a sentence says what lists are on.
-            let told = self.frame_of_brackets();
-            let own = frames.first().filter(|_| frames.len() == 1).copied();
-            return Ok(match told.or(own).filter(|_| value.is_vector()) {
-                Some(frame) => {
-                    self.system
-                        .taken_on(&value, [Basis::On(frame), Basis::Any], frame)?
-                }
-                None => value,
-            });
+            return self.on_its_frame(value, &frames);
         }
         if all.len() == 1 {
             return Ok(all[0].clone());
