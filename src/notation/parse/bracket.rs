@@ -35,6 +35,9 @@ impl<'t, 'a> Parser<'t, 'a> {
         if let [vector @ .., cross] = super::line::trimmed(inside)
             && matches!(cross.kind, Lexeme::Command("times" | "wedge"))
             && !vector.last().is_none_or(marks_script)
+            && !vector[1..]
+                .iter()
+                .any(|t| matches!(t.kind, Lexeme::Char('+' | '-')))
         {
             let vector = self.inside(vector).whole();
             return self.node(Kind::Skew(Box::new(vector)), start);

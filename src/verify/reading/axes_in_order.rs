@@ -4,7 +4,7 @@ use crate::verify::language::statement::{Declaration, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::compounds_read::symbols_in;
-use crate::verify::reading::names::{name_of, name_of_formula, nodes_of};
+use crate::verify::reading::names::{UNIT_VECTOR, name_of, name_of_formula, nodes_of};
 
 impl Builder<'_> {
     /// The axis of one of two frames that has its place in the other as well, where the two triads have names of their own
@@ -37,6 +37,25 @@ impl Builder<'_> {
         let related = |d: &Declaration| self.relates_axes(d, frame, relative);
         let mut others = self.declarations.iter();
         (!others.any(|d| spoken_of(d) || related(d))).then_some(axis)
+    }
+
+    /// Whether a sentence that speaks of axes of both frames tells more than the angle between two.
+    pub(super) fn tells_how_axes_lie(
+        &self,
+        declaration: &Declaration,
+        one: FrameId,
+        other: FrameId,
+    ) -> bool {
+        let told = match &declaration.statement {
+            Statement::Holds(_) => true,
+            Statement::Does { verb, .. } => *verb != "turn",
+            Statement::Is { what, .. } => matches!(
+                what.head,
+                UNIT_VECTOR | "parallel" | "orthogonal" | "normal vector" | "vertical"
+            ),
+            _ => false,
+        };
+        told && self.relates_axes(declaration, one, other)
     }
 
     /// Whether a sentence speaks of axes of both frames: then it may say how these lie.

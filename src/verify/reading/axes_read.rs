@@ -283,7 +283,11 @@ impl Builder<'_> {
                     same_label(n, &name) || labelled_alike(own, (&name, &frames[of].name))
                 };
                 let other_known = named.peek().is_some();
-                let same = !other_known || named.any(same) && !self.tells_angle_with(&name, other);
+                let mut all = self.declarations.iter();
+                let same = !other_known
+                    || named.any(same)
+                        && !self.tells_angle_with(&name, other)
+                        && !all.any(|d| self.tells_how_axes_lie(d, frame, relative));
                 same.then_some(axis)
             }
             // The axis of a turn lies in both frames: x, y and z of a third one are not meant.

@@ -56,9 +56,10 @@ impl Builder<'_> {
                 (CROSS_PRODUCT_MATRIX, _) => Operator::CrossProductMatrix,
                 (COMPONENT_ROTATION, Some(axis)) => Operator::AxisRotationOfComponents(axis),
                 (_, Some(axis)) => Operator::AxisRotation(axis),
-                (_, None) => match vector {
-                    Some((vector, frame)) => Operator::RotationAbout(vector, frame),
-                    None => Operator::RotationVector,
+                (_, None) => match (vector, about) {
+                    (Some((vector, frame)), _) => Operator::RotationAbout(vector, frame),
+                    (None, Some(_)) if !is_by_length(what) => return self.say_unused(declaration),
+                    (None, _) => Operator::RotationVector,
                 },
             };
             let head = Formula::of(&head);

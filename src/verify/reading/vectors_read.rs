@@ -36,12 +36,15 @@ impl Builder<'_> {
             if what.head != UNIT_VECTOR || along.is_some() {
                 continue;
             }
-            let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
+            // What is not said to be fixed in one frame moves.
+            let Some(carried) = what.slot(Slot::FixedIn).and_then(|term| self.frame(term)) else {
+                continue;
+            };
             // What a member turns about is told where its turn is.
             let subjects = subjects.iter().filter(|subject| !axes.contains(subject));
             let subjects: Vec<Term> = subjects.cloned().collect();
             for formula in formulas(&subjects) {
-                let unit = self.unit_vector_of(formula, carried);
+                let unit = self.unit_vector_of(formula, Some(carried));
                 if matches!(unit, Quantity::MemberVector { .. }) {
                     self.denote(formula, Meaning::Quantity(unit), declaration);
                 }
