@@ -7,7 +7,7 @@ use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
 use crate::verify::model::changes::Changes;
 use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a variable is: equal keys are the same variable.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -130,6 +130,8 @@ pub(crate) struct Atoms {
     pub(super) lengths: Vec<(Fraction, Variable)>,
     /// Letters that are no less than zero because they are lengths.
     sized: BTreeSet<Variable>,
+    /// Sines of which a sentence tells that they are no less than zero, or less.
+    pub(super) signed: BTreeMap<Variable, bool>,
     /// Letters that sentences say to be small.
     small: BTreeSet<Variable>,
     /// Coordinates of points of which no sentence tells where they lie.

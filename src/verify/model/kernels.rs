@@ -206,12 +206,50 @@ impl Atoms {
         root || atom.positive || self.is_length(variable)
     }
 
-    /// Whether a root is positive by what its letters are; a sine is taken as one of an angle below π.
-    fn is_no_less_than_zero(&self, root: &Polynomial) -> bool {
-        let sine = |variable| matches!(self.atom(variable).nature, Nature::Sine(_));
-        let positive = |variable| self.is_size(variable) || sine(variable);
-        let mut terms = root.terms().iter();
-        terms.all(|(_, c)| !c.is_negative()) && root.variables().into_iter().all(positive)
+    /// Whether a sentence tells the sign of a sine or a cosine.
+    pub(crate) fn has_told_sign(&self, variable: Variable) -> bool {
+        self.signed.contains_key(&variable)
+    }
+
+    /// Says whether a sine or a cosine is no less than zero, or negative, where it is a variable.
+    pub(crate) fn tell_sign(&mut self, value: &Fraction, negative: bool) {
+        if let Some(variable) = value.as_variable() {
+            self.changes.note_all();
+            self.signed.insert(variable, negative);
+        }
+    }
+
+    /// The root of a square that is not negative, by what its letters are: itself or its opposite. Where nothing tells the
+    /// sign of a sine, in a length it is taken as one of an angle below π.
+    fn not_negative(&self, root: Polynomial) -> Option<Polynomial> {
+        let negative = |v| match self.signed.get(&v) {
+            Some(negative) => Some(*negative),
+            None => {
+                let sine = matches!(self.atom(v).nature, Nature::Sine(_));
+                (sine || self.is_size(v)).then_some(false)
+            }
+        };
+        if let [(monomial, coefficient)] = root.terms() {
+            let odd = monomial.factors().filter(|(_, power)| power % 2 == 1);
+            let signs: Option<Vec<bool>> = odd.map(|(v, _)| negative(v)).collect();
+            let negative = signs?.into_iter().filter(|negative| *negative).count() % 2 == 1;
+            return Some(match negative != coefficient.is_negative() {
+                true => -root,
+                false => root,
+            });
+        }
+        let positive = root.terms().iter().all(|(_, c)| !c.is_negative());
+        let mut variables = root.variables().into_iter();
+        (positive && variables.all(|v| negative(v) == Some(false))).then_some(root)
+    }
+
+    /// Whether the sign of a sine in a value is told by no sentence.
+    pub(crate) fn has_sine_of_any_sign(&self, value: &Fraction) -> bool {
+        let untold = |v: &Variable| {
+            let sine = matches!(self.atom(*v).nature, Nature::Sine(_));
+            sine && !self.atom(*v).positive && !self.signed.contains_key(v)
+        };
+        value.variables().iter().any(untold)
     }
 
     /// Whether a value is no less than zero by what its letters are: a product of lengths and of even powers.
@@ -233,10 +271,7 @@ impl Atoms {
             return Some(fraction(*length));
         }
         // The root of x² is |x|, and no x whose sign is not known.
-        let perfect = |of| {
-            self.perfect_root(of)
-                .filter(|root| self.is_no_less_than_zero(root))
-        };
+        let perfect = |of| self.not_negative(self.perfect_root(of)?);
         let root = perfect(of.numerator())?;
         Fraction::new(root, perfect(of.denominator())?)
     }

@@ -51,11 +51,16 @@ impl Builder<'_> {
             Statement::Does { verb, .. } => *verb != "turn",
             Statement::Is { what, .. } => matches!(
                 what.head,
-                UNIT_VECTOR | "parallel" | "orthogonal" | "normal vector" | "vertical"
+                UNIT_VECTOR | "parallel" | "orthogonal" | "normal vector"
             ),
             _ => false,
         };
+        let shared = |name: &String| {
+            let of = |frame| self.axes.of(name, frame).is_some();
+            of(one) && of(other)
+        };
         told && self.relates_axes(declaration, one, other)
+            && !names_in(declaration).iter().any(shared)
     }
 
     /// Whether a sentence speaks of axes of both frames: then it may say how these lie.
@@ -65,12 +70,17 @@ impl Builder<'_> {
         one: FrameId,
         other: FrameId,
     ) -> bool {
-        let terms = declaration.statement.terms().into_iter();
-        let formulas = declaration.statement.formulas().into_iter();
-        let letters = formulas.flat_map(nodes_of).flat_map(symbols_in);
-        let letters = letters.map(|letter| name_of_formula(&letter));
-        let names: Vec<String> = terms.filter_map(name_of).chain(letters).collect();
+        let names = names_in(declaration);
         let of = |frame| names.iter().any(|name| self.axes.of(name, frame).is_some());
         of(one) && of(other)
     }
+}
+
+/// The names and letters in a sentence.
+fn names_in(declaration: &Declaration) -> Vec<String> {
+    let terms = declaration.statement.terms().into_iter();
+    let formulas = declaration.statement.formulas().into_iter();
+    let letters = formulas.flat_map(nodes_of).flat_map(symbols_in);
+    let letters = letters.map(|letter| name_of_formula(&letter));
+    terms.filter_map(name_of).chain(letters).collect()
 }

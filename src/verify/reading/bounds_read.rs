@@ -62,10 +62,18 @@ impl Builder<'_> {
             return;
         };
         for (function, [least, most]) in [sine, cosine].into_iter().zip(POSITIVE) {
-            if lower < Rational::from(least) || upper > Rational::from(most) {
+            let within = |turns: i64| {
+                let moved = |(p, q): (i64, i64)| Rational::from((p + turns * q, q));
+                lower >= moved(least) && upper <= moved(most)
+            };
+            let whole = declaration.extent == Extent::Document;
+            if whole && (within(1) || within(-1)) {
+                self.system().atoms.tell_sign(&function, true);
+            }
+            if !within(0) {
                 continue;
             }
-            if declaration.extent == Extent::Document {
+            if whole {
                 self.system().atoms.set_positive(&function);
             }
             let order = (reach_of(&declaration.extent), function);

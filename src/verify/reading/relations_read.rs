@@ -43,7 +43,14 @@ impl Builder<'_> {
             self.vector(one, declaration)?,
             self.vector(other, declaration)?,
         );
-        let (cosine, _) = self.system().atoms.cosine_sine(&angle)?;
+        let (cosine, sine) = self.system().atoms.cosine_sine(&angle)?;
+        // The angle between two vectors is one of a half turn.
+        if sine
+            .as_variable()
+            .is_some_and(|v| !self.system().atoms.has_told_sign(v))
+        {
+            self.system().atoms.tell_sign(&sine, false);
+        }
         let lengths = one.dot(&one) * other.dot(&other);
         let length = self.system().atoms.root(&lengths)?;
         self.hold(one.dot(&other) - length * cosine, declaration);

@@ -342,7 +342,12 @@ impl<'a> Lowering<'a> {
             true => value.entries[0].clone() * value.entries[0].clone(),
             false => self.system.dot(&value, &value, custom)?.to_scalar()?,
         };
-        self.system.root(&square)
+        let size = self.system.root(&square)?;
+        // |sin θ| is not sin θ where nothing tells that θ is an angle of a half turn.
+        match self.system.atoms.has_sine_of_any_sign(&size.to_scalar()?) {
+            true => beyond("the size of a sine of either sign"),
+            false => Ok(size),
+        }
     }
 
     fn in_frame(&mut self, inner: &Node, label: &str) -> Valued {

@@ -28,3 +28,60 @@ fn of_other_parts_of_pi_nothing_is_said() {
     let text = "$$ \\cos(\\pi/5) = 0 $$\n$$ \\cos(\\pi/5) > 0 $$\n";
     assert_eq!(judged(sentences, text), "uu");
 }
+
+#[test]
+fn bounds_of_an_angle_tell_the_sign_of_its_sine() {
+    let sentences = "N is an inertial frame.
+x, y, z are the axes of N.
+A is a frame that turns relative to N about z by the angle $\\beta$.
+$u$, $v$, $w$ are the axes of A.
+$\\beta$ lies between $-\\pi/2$ and $0$.
+";
+    let text = r"
+$$ |\sin\beta| = -\sin\beta $$
+$$ |\sin\beta| = \sin\beta $$
+$$ \sqrt{1-\sin^2\beta} = \cos\beta $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+    let free = sentences.replace("$\\beta$ lies between $-\\pi/2$ and $0$.\n", "");
+    assert!(!judged(&free, r"$$ |\sin\beta| = \sin\beta $$").contains('p'));
+}
+
+#[test]
+fn axes_are_not_the_same_where_a_sentence_tells_how_they_lie() {
+    let said = [
+        "$b_3=-a_3$.",
+        "$b_3$ is normal to $a_3$.",
+        "$b_2$ points along $a_1$.",
+    ];
+    for said in said {
+        let sentences = format!(
+            "A is an inertial frame.
+$a_1$, $a_2$, $a_3$ are the axes of A.
+$b_1$, $b_2$, $b_3$ are the axes of B.
+B turns relative to A about $b_3$ by the angle $\\gamma$.
+{said}
+"
+        );
+        let text = r"
+$$ b_1 = \cos\gamma\,a_1 + \sin\gamma\,a_2 $$
+$$ b_3 = a_3 $$
+";
+        assert!(!judged(&sentences, text).contains('p'), "{said}");
+    }
+}
+
+#[test]
+fn unit_vectors_of_members_move_unless_they_are_fixed() {
+    let sentences = "N is an inertial frame.
+The body consists of particles.
+$j$ numbers the particles.
+$\\hat p_j$ is a unit vector.
+$\\frac{d}{dt}$ is the rate seen from N.
+";
+    let text = r"
+$$ \hat p_j\cdot\hat p_j = 1 $$
+$$ \frac{d\hat p_j}{dt} = 0 $$
+";
+    assert!(!judged(sentences, text).ends_with('p'));
+}
