@@ -1,5 +1,6 @@
 //! Axes of two frames that are the same where the angle between the frames is zero.
 
+use crate::verify::language::heads::NORMAL;
 use crate::verify::language::statement::{Declaration, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
@@ -49,10 +50,9 @@ impl Builder<'_> {
         let told = match &declaration.statement {
             Statement::Holds(_) => true,
             Statement::Does { verb, .. } => *verb != "turn",
-            Statement::Is { what, .. } => matches!(
-                what.head,
-                UNIT_VECTOR | "parallel" | "orthogonal" | "normal vector"
-            ),
+            Statement::Is { what, .. } => {
+                matches!(what.head, UNIT_VECTOR | NORMAL | "parallel" | "orthogonal")
+            }
             _ => false,
         };
         let shared = |name: &String| {

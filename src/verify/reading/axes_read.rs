@@ -283,11 +283,8 @@ impl Builder<'_> {
                     same_label(n, &name) || labelled_alike(own, (&name, &frames[of].name))
                 };
                 let other_known = named.peek().is_some();
-                let mut all = self.declarations.iter();
                 let same = !other_known
-                    || named.any(same)
-                        && !self.tells_angle_with(&name, other)
-                        && !all.any(|d| self.tells_how_axes_lie(d, frame, relative));
+                    || named.any(same) && !self.tells_otherwise(&name, other, (frame, relative));
                 same.then_some(axis)
             }
             // The axis of a turn lies in both frames: x, y and z of a third one are not meant.
@@ -320,6 +317,13 @@ impl Builder<'_> {
             }
         }
         (of, axis)
+    }
+
+    /// Whether a sentence tells that an axis is not the one of its label on another frame.
+    fn tells_otherwise(&self, name: &str, other: FrameId, both: (FrameId, FrameId)) -> bool {
+        let mut all = self.declarations.iter();
+        self.tells_angle_with(name, other)
+            || all.any(|d| self.tells_how_axes_lie(d, both.0, both.1))
     }
 
     /// Whether a sentence tells the angle of an axis with one of a frame: then it need not be one of these.

@@ -10,7 +10,7 @@ use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Effect, Letters, Mark, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::on;
-use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{Basis, OTHER_ARGUMENT, Trouble, Value, Valued, beyond};
 use num_traits::{One, Zero};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -345,7 +345,7 @@ impl<'a> Lowering<'a> {
         let size = self.system.root(&square)?;
         // |sin θ| is not sin θ where nothing tells that θ is an angle of a half turn.
         match self.system.atoms.has_sine_of_any_sign(&size.to_scalar()?) {
-            true => beyond("the size of a sine of either sign"),
+            true => beyond(OTHER_ARGUMENT),
             false => Ok(size),
         }
     }
