@@ -67,11 +67,12 @@ impl Parser<'_, '_> {
 
     /// `\omega\times` with nothing behind it to be crossed with is the matrix that multiplies by ω ×.
     fn cross_behind(&mut self, factors: &mut [Factor]) {
-        let cross = matches!(self.peek(), Some(Lexeme::Command("times")));
+        if self.peek() != Some(Lexeme::Command("times")) {
+            return;
+        }
         let mut behind = self.tokens[self.at..].iter().skip(1).map(|t| t.kind);
         let next = behind.find(|kind| !matches!(kind, Lexeme::Space(_)));
-        let ended = matches!(next, None | Some(Lexeme::Char('+' | '=')));
-        if !(cross && ended) {
+        if !matches!(next, None | Some(Lexeme::Char('+' | '='))) {
             return;
         }
         // `\omega\times\omega\times`: so is each that is crossed with it.
@@ -80,18 +81,9 @@ impl Parser<'_, '_> {
             .take_while(|f| f.operator == Operator::Cross)
             .count();
         let first = factors.len().saturating_sub(crossed + 1);
-        let here = self.here();
         for factor in &mut factors[first..] {
-            let span = factor.node.span.to(here);
-            let vector = std::mem::replace(&mut factor.node.kind, Kind::Product(vec![]));
-            let span_of_vector = factor.node.span;
-            factor.node = Node {
-                kind: Kind::Skew(Box::new(Node {
-                    kind: vector,
-                    span: span_of_vector,
-                })),
-                span,
-            };
+            let vector = std::mem::replace(&mut factor.node, self.error(""));
+            factor.node = super::raised::wrap(vector, Kind::Skew);
             factor.operator = Operator::Juxtaposed;
         }
         self.at += 1;

@@ -3,6 +3,7 @@
 use crate::algebra::{Fraction, Polynomial, Rational, Variable};
 use crate::verify::facts::premises::Facts;
 use crate::verify::facts::proof::{Prover, Reduced};
+use crate::verify::facts::squares::square_in;
 use crate::verify::model::atoms::Atoms;
 use num_traits::Zero;
 
@@ -11,11 +12,8 @@ impl Facts {
     pub(super) fn length_in(atoms: &Atoms, value: &Polynomial) -> Option<(Variable, Fraction)> {
         let mut lengths = value.variables().into_iter();
         lengths.find_map(|length| {
-            let [lower, slope, square] = [0, 1, 2].map(|e| value.coefficient_of(length, e));
-            if !atoms.is_length(length) || value.degree_in(length) != 2 || !slope.is_zero() {
-                return None;
-            }
-            let root = atoms.known_root(&Fraction::new(-lower, square)?)?;
+            let square = square_in(value, length).filter(|_| atoms.is_length(length))?;
+            let root = atoms.known_root(&square)?;
             // The sine of an angle that changes has either sign.
             if !atoms.has_steady_sines(&root) {
                 return None;

@@ -11,6 +11,18 @@ use num_traits::{One, Zero};
 /// No rule tells a higher rate.
 const MOST_RATES: usize = 6;
 
+/// The polynomial without a variable that stands in it by its square alone, and what stands beside the square.
+fn alone_in_square(of: &Polynomial, variable: Variable) -> Option<(Polynomial, Polynomial)> {
+    let [rest, slope, square] = [0, 1, 2].map(|e| of.coefficient_of(variable, e));
+    (of.degree_in(variable) == 2 && slope.is_zero()).then_some((rest, square))
+}
+
+/// The square of a variable that stands in an equation by its square alone.
+pub(super) fn square_in(equation: &Polynomial, variable: Variable) -> Option<Fraction> {
+    let (rest, square) = alone_in_square(equation, variable)?;
+    Fraction::new(-rest, square)
+}
+
 impl Facts {
     /// Takes out the rules for the rates of a variable that is solved for now: they are to be put in anew.
     pub(super) fn rates_of(&mut self, atoms: &Atoms, variable: Variable) -> Vec<Rule> {
@@ -54,16 +66,16 @@ impl Facts {
         let mut variables = value.variables();
         variables.sort_by_key(|&v| (atoms.atom(v).key.order, v));
         for variable in variables.into_iter().rev() {
-            let [lower, slope, square] = [0, 1, 2].map(|e| value.coefficient_of(variable, e));
-            let told = atoms.atom(variable).square.is_some() || is_kernel(atoms, variable);
-            if value.degree_in(variable) != 2 || !slope.is_zero() || told {
+            if atoms.atom(variable).square.is_some() || is_kernel(atoms, variable) {
                 continue;
             }
+            let Some((rest, square)) = alone_in_square(value, variable) else {
+                continue;
+            };
             let Some(number) = square.is_constant() else {
                 continue;
             };
-            let told = (-lower).scaled(&(Rational::one() / number));
-            let square = Fraction::from(told);
+            let square = Fraction::from((-rest).scaled(&(Rational::one() / number)));
             self.tell_square(atoms, variable, square.clone(), square, equation, source);
             return true;
         }
@@ -99,11 +111,6 @@ impl Facts {
         equation: &Polynomial,
         source: &Source,
     ) -> bool {
-        let square_in = |of: &Polynomial, length: Variable| {
-            let [lower, slope, square] = [0, 1, 2].map(|e| of.coefficient_of(length, e));
-            let alone = of.degree_in(length) == 2 && slope.is_zero();
-            Fraction::new(-lower, square).filter(|_| alone)
-        };
         let told = equation.variables().into_iter().find_map(|length| {
             let whole = square_in(equation, length).filter(Fraction::is_polynomial)?;
             let free = square_in(value, length).filter(|_| atoms.is_length(length))?;

@@ -165,8 +165,10 @@ pub(crate) fn part_centres(declarations: Vec<Declaration>) -> Vec<Declaration> {
 
 /// Whether a noun in the plain form is that of a body.
 pub(super) fn is_thing_with_sizes(phrase: &NounPhrase) -> bool {
-    let sized = |(slot, term): &(Slot, Term)| {
-        *slot == Slot::Of && matches!(term, Term::Phrase(size) if SIZES.contains(&size.head))
-    };
-    is_body(phrase.head) && !phrase.slots.is_empty() && phrase.slots.iter().all(sized)
+    is_body(phrase.head) && !phrase.slots.is_empty() && phrase.slots.iter().all(is_size)
+}
+
+/// Whether what hangs on a noun is a size of it: "of radius `$r$`".
+pub(super) fn is_size((slot, term): &(Slot, Term)) -> bool {
+    *slot == Slot::Of && matches!(term, Term::Phrase(size) if SIZES.contains(&size.head))
 }

@@ -1,6 +1,7 @@
 //! How a thing turns or what shape it has, where only a part of the document says it: it is so everywhere.
 
-use super::heads::{EULER_ANGLES, SIZES};
+use super::body_axes::is_size;
+use super::heads::EULER_ANGLES;
 use super::reader::formula;
 use super::statement::{Declaration, Extent, Formula, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -12,13 +13,16 @@ enum Build {
     Shape,
 }
 
-/// "On lines 1 to 9 B turns relative to N about z by the angle `$\\theta$`": so B turns, and an angle of its own is θ there.
+/// "On lines 1 to 9 B turns relative to N about z by the angle `$\theta$`": so B turns, and an angle of its own is θ there.
 pub(super) fn built_everywhere(
     mut declarations: Vec<Declaration>,
     macros: &Macros,
 ) -> Vec<Declaration> {
     let told = (0..declarations.len()).filter_map(|at| {
         let declaration = &declarations[at];
+        if declaration.extent == Extent::Document {
+            return None;
+        }
         let built = built(&declaration.statement);
         let (_, thing) = built.filter(|built| is_told_once(&declarations, built))?;
         let letters = letters(&declaration.statement).into_iter();
@@ -26,7 +30,7 @@ pub(super) fn built_everywhere(
             let own = own_letter(&declarations, at, letter, thing, macros)?;
             Some((letter.clone(), own))
         });
-        (declaration.extent != Extent::Document).then(|| (at, letters.collect()))
+        Some((at, letters.collect()))
     });
     let told: Vec<(usize, Vec<(Formula, Formula)>)> = told.collect();
     for (at, letters) in told {
@@ -75,12 +79,9 @@ fn built(statement: &Statement) -> Option<(Build, &Term)> {
     let [thing] = subjects.as_slice() else {
         return None;
     };
-    let sized = |(slot, size): &(Slot, Term)| {
-        *slot == Slot::Of && matches!(size, Term::Phrase(size) if SIZES.contains(&size.head))
-    };
     match what.head {
         "frame" if what.slot(Slot::About).is_some() => Some((Build::Turn, thing)),
-        _ if matches!(thing, Term::Name(_)) && what.slots.iter().any(sized) => {
+        _ if matches!(thing, Term::Name(_)) && what.slots.iter().any(is_size) => {
             Some((Build::Shape, thing))
         }
         _ => None,
@@ -96,27 +97,24 @@ fn is_told_once(declarations: &[Declaration], built_so: &(Build, &Term)) -> bool
 fn letters(statement: &Statement) -> Vec<&Formula> {
     let slots = statement.slots().flatten();
     let told = slots.filter(|(slot, _)| matches!(slot, Slot::By | Slot::At | Slot::Of));
-    let letters = told.flat_map(|(_, term)| match term {
-        Term::Formula(letter) => vec![letter],
-        Term::Phrase(size) => {
-            let slots = size.slots.iter();
-            let letters = slots.filter_map(|(_, term)| match term {
-                Term::Formula(letter) => Some(letter),
-                _ => None,
-            });
-            letters.collect()
-        }
-        _ => vec![],
-    });
     let angles = match statement {
         Statement::Is { subjects, what } if what.head == EULER_ANGLES => subjects.as_slice(),
         _ => &[],
     };
-    let angles = angles.iter().filter_map(|angle| match angle {
-        Term::Formula(letter) => Some(letter),
-        _ => None,
-    });
-    letters.chain(angles).collect()
+    let terms = told.map(|(_, term)| term).chain(angles);
+    terms.flat_map(formulas_in).collect()
+}
+
+/// A formula, or those that hang on a noun.
+fn formulas_in(term: &Term) -> Vec<&Formula> {
+    match term {
+        Term::Formula(letter) => vec![letter],
+        Term::Phrase(noun) => {
+            let hanging = noun.slots.iter().map(|(_, term)| term);
+            hanging.flat_map(formulas_in).collect()
+        }
+        _ => vec![],
+    }
 }
 
 /// A letter for an angle or a size whose own one is spoken of in other parts as well.

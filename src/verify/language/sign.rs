@@ -213,7 +213,11 @@ pub(crate) fn is_operator(formula: &Formula, phrase: &NounPhrase, entry: &Entry)
     let operates = match &formula.row {
         Row::Expression(node) => match node.kind {
             Tree::Product(_) | Tree::Error(_) => true,
-            Tree::Skew(_) => formula.source.ends_with("\\times") && !formula.source.contains('^'),
+            // `\omega^\times` and `\omega_\times` are letters with a mark.
+            Tree::Skew(_) => {
+                let before = formula.source.strip_suffix("\\times").map(str::trim_end);
+                before.is_some_and(|vector| !vector.ends_with(['^', '_']))
+            }
             _ => false,
         },
         Row::Line(_) | Row::Unreadable { .. } => true,

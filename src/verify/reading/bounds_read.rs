@@ -14,9 +14,14 @@ const POSITIVE: [[(i64, i64); 2]; 2] = [[(0, 1), (1, 1)], [(-1, 2), (1, 2)]];
 impl Builder<'_> {
     /// "`$\\theta$` lies between `$0$` and `$\\pi/2$`": neither its sine nor its cosine vanishes.
     ///
-    /// What other letters are may hang on that: it is read of each angle as soon as a sentence has told it.
-    pub(super) fn read_bounds(&mut self) {
-        for declaration in self.declarations {
+    /// What other letters are may hang on that: it is read of each angle as soon as a sentence has told it. The sentences
+    /// of those that none has told yet are left.
+    pub(super) fn read_bounds<'d>(
+        &mut self,
+        of: impl IntoIterator<Item = &'d Declaration>,
+    ) -> Vec<&'d Declaration> {
+        let mut left = vec![];
+        for declaration in of {
             let Statement::Bounds {
                 subject,
                 lower,
@@ -26,6 +31,7 @@ impl Builder<'_> {
                 continue;
             };
             if !self.is_known_letter(subject, declaration) {
+                left.push(declaration);
                 continue;
             }
             let mut value = |formula| self.scalar_of(formula, declaration);
@@ -35,6 +41,7 @@ impl Builder<'_> {
                 self.bound_angle(&angle, [lower, upper], declaration);
             }
         }
+        left
     }
 
     /// Whether a sentence has told or used a letter so far.

@@ -78,7 +78,7 @@ pub(crate) fn build(
     builder.finish_bodies();
     builder.place_contacts();
     builder.name_values_at_instants(&conditional);
-    builder.read_bounds();
+    let bounds = builder.read_bounds(&always);
     builder.read_letters();
     builder.hold_told_places();
     builder.hold_masses();
@@ -87,7 +87,7 @@ pub(crate) fn build(
     builder.hold_fixed_frames();
     builder.hold_fixed_vectors();
     builder.make_up_of_references();
-    builder.read_bounds();
+    builder.read_bounds(bounds);
     builder.read_premises();
     builder.read_obeyed();
     builder.read_roles();

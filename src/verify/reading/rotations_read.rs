@@ -50,16 +50,17 @@ impl Builder<'_> {
             };
             let Some(head) = head else { continue };
             let about = axes.get(place).or(axes.last()).copied();
-            let vector = about.and_then(|term| self.carried_unit_vector(term, declaration));
             let axis = about.and_then(|term| self.number_of_axis(term));
             let operator = match (what.head, axis) {
                 (CROSS_PRODUCT_MATRIX, _) => Operator::CrossProductMatrix,
                 (COMPONENT_ROTATION, Some(axis)) => Operator::AxisRotationOfComponents(axis),
                 (_, Some(axis)) => Operator::AxisRotation(axis),
-                (_, None) => match (vector, about) {
-                    (Some((vector, frame)), _) => Operator::RotationAbout(vector, frame),
-                    (None, Some(_)) if !is_by_length(what) => return self.say_unused(declaration),
-                    (None, _) => Operator::RotationVector,
+                (_, None) => match about.filter(|_| !is_by_length(what)) {
+                    Some(vector) => match self.carried_unit_vector(vector, declaration) {
+                        Some((vector, frame)) => Operator::RotationAbout(vector, frame),
+                        None => return self.say_unused(declaration),
+                    },
+                    None => Operator::RotationVector,
                 },
             };
             let head = Formula::of(&head);

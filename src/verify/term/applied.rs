@@ -132,8 +132,14 @@ impl Lowering<'_> {
         if !head || !alone {
             return None;
         }
-        let (matrix, angle) = (self.value(matrix).ok()?, self.value(inner).ok()?);
-        is_function_of(&matrix, &angle, self.system).then_some(matrix)
+        // Where it is none, the letters are met once more.
+        let before = self.occurrences.clone();
+        let values = self.value(matrix).ok().zip(self.value(inner).ok());
+        let turned = values.filter(|(matrix, angle)| is_function_of(matrix, angle, self.system));
+        if turned.is_none() {
+            self.occurrences = before;
+        }
+        turned.map(|(matrix, _)| matrix)
     }
 
     /// `R(a)^T`, `W(v)^2`: what the operator gives is raised, and not what it acts on.
