@@ -24,6 +24,7 @@ pub mod print;
 mod seen_from;
 mod sentences;
 mod token;
+mod told_marks;
 mod triads;
 mod unicode;
 
@@ -71,11 +72,43 @@ impl Format {
 /// assert!(matches!(document.items[1], Item::Formula(_)));
 /// ```
 pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic>) {
+    read_with(name, text, format, &[])
+}
+
+/// Reads a document of which sentences tell elsewhere what it means. A command that it does not define is a mark of
+/// letters where such a sentence, or one of its own, sets it around a letter.
+///
+/// ```
+/// use polhode::notation::{document::{Format, Item}, read_declared};
+///
+/// let told = ["`\\uvec{k}` is a unit vector."];
+/// let (_, troubles) = read_declared("note.md", "$\\uvec{k} = \\uvec{k}$", Format::Markdown, &told);
+/// assert!(troubles.is_empty());
+/// ```
+pub fn read_declared(
+    name: &str,
+    text: &str,
+    format: Format,
+    sentences: &[&str],
+) -> (Document, Vec<Diagnostic>) {
+    let (document, troubles) = read(name, text, format);
+    let own = document.front_matter.sentences.iter();
+    let own = own.map(|said| said.text.as_str());
+    let all = own.chain(sentences.iter().copied());
+    let marks = told_marks::told_marks(all, &document.macros);
+    match marks.is_empty() {
+        true => (document, troubles),
+        false => read_with(name, text, format, &marks),
+    }
+}
+
+/// Reads a document with commands that mark letters.
+fn read_with(name: &str, text: &str, format: Format, marks: &Marks) -> (Document, Vec<Diagnostic>) {
     let mut troubles = vec![];
-    let mut document = read_items(name, text, format, false, &mut troubles);
+    let mut document = read_items(name, text, format, (false, marks), &mut troubles);
     if habits::decimal_commas(&document) {
         troubles.clear();
-        document = read_items(name, text, format, true, &mut troubles);
+        document = read_items(name, text, format, (true, marks), &mut troubles);
     }
     habits::labels_above(&mut document);
     habits::rates_in_deltas(&mut document);
@@ -89,16 +122,23 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
     (document, troubles)
 }
 
-/// Reads what stands in a document, with the decimal sign that its author uses.
+/// Commands that mark letters, each with what it stands for.
+type Marks = [(String, &'static str)];
+
+/// Reads what stands in a document, with the decimal sign and the marks that its author uses.
 fn read_items(
     name: &str,
     text: &str,
     format: Format,
-    decimal_comma: bool,
+    (decimal_comma, marks): (bool, &Marks),
     troubles: &mut Vec<Diagnostic>,
 ) -> Document {
+    let macros = |text: &str| {
+        let found = Macros::collect(text).with_decimal_comma(decimal_comma);
+        found.with_marks(marks)
+    };
     let mut document = match format {
-        Format::Notebook => notebook::read(name, text, decimal_comma, troubles),
+        Format::Notebook => notebook::read(name, text, &macros, troubles),
         _ => Document {
             format,
             source: Source::new(name, text),
@@ -113,7 +153,6 @@ fn read_items(
         _ => long_lines::blanked(text, format, troubles),
     };
     let text = text.as_ref();
-    let macros = |text: &str| Macros::collect(text).with_decimal_comma(decimal_comma);
     match format {
         Format::Notebook => {}
         Format::Markdown => {

@@ -155,7 +155,10 @@ fn check(
         None if path.as_os_str() == "-" => Format::Markdown,
         None => Format::of_path(path),
     };
-    let (document, diagnostics) = notation::read(&input::name(path), text, format);
+    let said = sheets.iter().flat_map(|sheet| &sheet.sentences);
+    let said: Vec<&str> = said.map(|sentence| sentence.text.as_str()).collect();
+    let name = input::name(path);
+    let (document, diagnostics) = notation::read_declared(&name, text, format, &said);
     let declared = verify::declarations(&document, sheets);
     let misunderstood = declare::misunderstood(&document, sheets, &declared, color);
     let report = match declared.is_empty() {

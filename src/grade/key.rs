@@ -72,7 +72,7 @@ impl Key {
     /// All reasons why it can't be used: a line that is refuted, a milestone that is not proved or that says nothing
     /// without a law, a sentence that is not understood, a label that no line has.
     pub fn read(name: &str, text: &str, format: Format) -> Result<Self, Vec<Refusal>> {
-        let (mut document, troubles) = notation::read(name, text, format);
+        let (mut document, troubles) = notation::read_declared(name, text, format, &[]);
         let errors = troubles.iter().filter(|t| t.severity == Severity::Error);
         let mut wrong: Vec<Refusal> = errors
             .map(|t| at(&document, t.primary.span, t.message.clone()))

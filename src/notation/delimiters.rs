@@ -112,6 +112,7 @@ impl Scan<'_> {
         let rest = &self.bytes[self.at..];
         match rest {
             [b'`' | b'~', ..] if self.dialect == Dialect::Markdown => self.code(),
+            [b':', b':', b':', ..] if self.dialect == Dialect::Markdown => self.directive(),
             [b'<', b'!', b'-', b'-', ..] if self.dialect == Dialect::Markdown => {
                 self.skip_past("-->")
             }

@@ -99,6 +99,19 @@ impl Macros {
         }
     }
 
+    /// The same macros with commands of one argument beside them.
+    pub(crate) fn with_marks(mut self, marks: &[(String, &'static str)]) -> Self {
+        for (command, body) in marks {
+            let mark = Macro {
+                arguments: 1,
+                default: None,
+                body: (*body).to_owned(),
+            };
+            self.defined.entry(command.clone()).or_insert(mark);
+        }
+        self
+    }
+
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
         self.defined.is_empty()

@@ -11,7 +11,7 @@ use serde_json::Value;
 pub(crate) fn read(
     name: &str,
     text: &str,
-    decimal_comma: bool,
+    macros: &impl Fn(&str) -> Macros,
     troubles: &mut Vec<Diagnostic>,
 ) -> Document {
     let mut joined = String::new();
@@ -35,7 +35,7 @@ pub(crate) fn read(
     }
     let mut front = FrontMatter::default();
     let shown = long_lines::blanked(&joined, Format::Notebook, troubles);
-    let macros = Macros::collect(&shown).with_decimal_comma(decimal_comma);
+    let macros = macros(&shown);
     let mut items: Vec<Item> = vec![];
     for (n, cell) in cells.iter().enumerate() {
         let start = cell.span.start as usize;

@@ -14,6 +14,7 @@ use look::{entry, is_formula, is_mathematical, labelled, marker, runs};
 /// The items of a text whose first byte stands at `offset` of the source.
 pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool, triads: Triads) -> Vec<Item> {
     let text = &*without_bold(text);
+    let text = &*without_ticks(text);
     let mut reader = Reader {
         text,
         offset,
@@ -45,6 +46,22 @@ fn without_bold(text: &str) -> std::borrow::Cow<'_, str> {
             rest = behind;
         }
         out.push_str(rest);
+    }
+    out.into()
+}
+
+/// The text with blanks in place of the backticks around what is code in Markdown: `L = I ω`.
+fn without_ticks(text: &str) -> std::borrow::Cow<'_, str> {
+    if !text.contains('`') {
+        return text.into();
+    }
+    let mut out = String::with_capacity(text.len());
+    for line in text.split_inclusive('\n') {
+        let paired = line.matches('`').count().is_multiple_of(2);
+        match paired && !line.contains("``") {
+            true => out.push_str(&line.replace('`', " ")),
+            false => out.push_str(line),
+        }
     }
     out.into()
 }

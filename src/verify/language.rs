@@ -23,7 +23,6 @@ mod declare;
 mod disturbed;
 mod ellipsis;
 mod entries;
-mod everywhere;
 mod extent;
 mod forms;
 mod gaps;

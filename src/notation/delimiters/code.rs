@@ -21,12 +21,7 @@ impl Scan<'_> {
             .iter()
             .take_while(|b| **b == mark)
             .count();
-        // A fence stands at the start of a line, behind a few marks of a list or a quotation.
-        let near = &self.bytes[self.at.saturating_sub(100)..self.at];
-        let lead = near.iter().rev().take_while(|b| **b != b'\n');
-        let starts_line = lead.clone().all(|b| matches!(b, b' ' | b'\t' | b'>'))
-            && (lead.count() < near.len() || self.at <= 100);
-        if run >= 3 && starts_line {
+        if run >= 3 && self.starts_line() {
             return self.fence(run, mark);
         }
         if mark == b'~' {
@@ -45,6 +40,29 @@ impl Scan<'_> {
             }
         }
         self.at = start;
+    }
+
+    /// `:::{math}`, a display in MyST's Markdown; what stands in other directives is text.
+    pub(super) fn directive(&mut self) {
+        let marks = self.bytes[self.at..].iter().take_while(|b| **b == b':');
+        let run = marks.count();
+        let opens_display = self
+            .text
+            .get(self.at + run..)
+            .unwrap_or("")
+            .starts_with("{math}");
+        match opens_display && self.starts_line() {
+            true => self.fence(run, b':'),
+            false => self.at += run,
+        }
+    }
+
+    /// Whether the text stands at the start of a line, behind a few marks of a list or a quotation.
+    fn starts_line(&self) -> bool {
+        let near = &self.bytes[self.at.saturating_sub(100)..self.at];
+        let lead = near.iter().rev().take_while(|b| **b != b'\n');
+        lead.clone().all(|b| matches!(b, b' ' | b'\t' | b'>'))
+            && (lead.count() < near.len() || self.at <= 100)
     }
 
     fn fence(&mut self, run: usize, mark: u8) {

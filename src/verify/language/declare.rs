@@ -9,7 +9,6 @@ use super::counted::{number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
-use super::everywhere::built_everywhere;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
@@ -175,7 +174,7 @@ fn in_plain_terms(
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);
     turn_about_axes_of_symmetry(&mut declarations);
-    say_in_parts(built_everywhere(declarations, macros))
+    say_in_parts(declarations)
 }
 
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.

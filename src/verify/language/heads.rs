@@ -23,6 +23,8 @@ pub(crate) const TOTAL_ENERGY: &str = "total energy";
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
 pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
+/// What a sign means that is no part of formulas, or by which no rule is meant.
+pub(crate) const NOTHING: &str = "nothing of its own";
 /// The verb of what integrals do with a body, and letters under them with its places.
 pub(crate) const RUN_OVER: &str = "run over";
 /// A plane on whose two sides a body is alike.
@@ -216,6 +218,7 @@ mod tests {
             MASS_MATRIX,
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
+            NOTHING,
             FULL_STOP,
             QUATERNION_DOT,
             TENSOR_PRODUCT,
@@ -233,6 +236,7 @@ mod tests {
                     Class::Custom,
                     Class::Adverb,
                     Class::Mark,
+                    Class::Meaning,
                     Class::Verb,
                 ],
             );

@@ -81,6 +81,7 @@ fn is_vector(term: &Term) -> bool {
 /// "the total moment of the external forces on the body about C": the total moment on it; and what is said of a vector is not
 /// said of the body that the sentence names before.
 pub(crate) fn say_of_loads(declarations: &mut [Declaration]) {
+    share_agents(declarations);
     let mut letter: Option<(String, Term)> = None;
     for declaration in declarations {
         let Statement::Is { subjects, what } = &mut declaration.statement else {
@@ -110,6 +111,54 @@ pub(crate) fn say_of_loads(declarations: &mut [Declaration]) {
         what.slots.retain(|(slot, _)| *slot != Slot::Of);
         what.slots.extend(of_forces);
     }
+}
+
+/// "The force and the moment of the hub are the only loads on the wheel": each is of the hub.
+fn share_agents(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Premise(premise) = &mut declaration.statement else {
+            continue;
+        };
+        let slots = std::mem::take(&mut premise.slots).into_iter();
+        premise.slots = slots.flat_map(at_each_point).collect();
+        let own = premise.slots.clone();
+        for ((slot, load), (next, behind)) in premise.slots.iter_mut().zip(own.iter().skip(1)) {
+            if let (Slot::With, Slot::With, Term::Phrase(load), Term::Phrase(other)) =
+                (*slot, *next, load, behind)
+                && matches!((load.head, other.head), (FORCE, MOMENT) | (MOMENT, FORCE))
+                && load.slots.is_empty()
+                && let Some(agent) = other.slot(Slot::Of)
+            {
+                load.slots.push((Slot::Of, agent.clone()));
+            }
+        }
+    }
+}
+
+/// "the forces at P and Q": one at each.
+fn at_each_point((slot, load): (Slot, Term)) -> Vec<(Slot, Term)> {
+    let points = match &load {
+        Term::Phrase(load) if slot == Slot::With => load.all(Slot::At).count(),
+        _ => 0,
+    };
+    let Term::Phrase(several) = &load else {
+        return vec![(slot, load)];
+    };
+    let letters = several.all(Slot::Which).count();
+    if points < 2 || letters > 0 {
+        return vec![(slot, load)];
+    }
+    let at = |point: &Term| {
+        // "the forces at P and Q and the moment of the motor": another load ends the list.
+        if matches!(point, Term::Phrase(load) if matches!(load.head, FORCE | MOMENT)) {
+            return (slot, point.clone());
+        }
+        let mut one = (**several).clone();
+        one.slots.retain(|(slot, _)| *slot != Slot::At);
+        one.slots.push((Slot::At, point.clone()));
+        (slot, Term::Phrase(Box::new(one)))
+    };
+    several.all(Slot::At).map(at).collect()
 }
 
 /// "the components of the force on the body along n and t": the components are along these.

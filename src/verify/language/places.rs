@@ -150,6 +150,14 @@ fn sides_of_shape(what: &mut NounPhrase, thing: &Term) -> Vec<Statement> {
             .map(|(letter, along)| side(letter, thing, along))
             .collect();
     }
+    if let Some(pairs) = sides_in_turn(what) {
+        what.slots
+            .retain(|(slot, term)| *slot != Slot::Along && !is_side(term));
+        let each = pairs.iter();
+        return each
+            .map(|(letter, along)| side(letter, thing, along))
+            .collect();
+    }
     let mut told = vec![];
     what.slots.retain(|(_, term)| match side_along(term) {
         Some((letter, along)) => {
@@ -159,6 +167,42 @@ fn sides_of_shape(what: &mut NounPhrase, thing: &Term) -> Vec<Statement> {
         None => true,
     });
     told
+}
+
+/// "the sides `$a$` and `$b$` along x and y", "the sides `$a$` along x and `$b$` along y": each with its axis.
+fn sides_in_turn(what: &NounPhrase) -> Option<Vec<(Term, Term)>> {
+    let sides: Vec<&NounPhrase> = what
+        .slots
+        .iter()
+        .filter_map(|(_, term)| match term {
+            Term::Phrase(side) if is_side(term) => Some(&**side),
+            _ => None,
+        })
+        .collect();
+    let [sides] = sides.as_slice() else {
+        return None;
+    };
+    let letters: Vec<Term> = sides.all(Slot::Which).cloned().collect();
+    // What is along the last axis hangs on the shape.
+    let along = sides.all(Slot::Along).chain(what.all(Slot::Along));
+    let along: Vec<Term> = along.cloned().collect();
+    match letters.as_slice() {
+        [_] if along.len() > 1 => {
+            let in_turn = [letters, along].concat();
+            let pairs = in_turn.chunks_exact(2);
+            let whole = pairs.remainder().is_empty();
+            let pairs = pairs.map(|pair| (pair[0].clone(), pair[1].clone()));
+            whole.then(|| pairs.collect())
+        }
+        [_, _, ..] if letters.len() == along.len() => {
+            Some(letters.into_iter().zip(along).collect())
+        }
+        _ => None,
+    }
+}
+
+fn is_side(term: &Term) -> bool {
+    matches!(term, Term::Phrase(side) if matches!(side.head, "side" | "length"))
 }
 
 /// "the side `$a$` along x"

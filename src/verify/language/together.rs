@@ -24,6 +24,7 @@ const OF_WHOLES: [&str; 10] = [
 
 /// Names the bodies of which sentences speak together.
 pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
+    name_parts(declarations);
     let mut joined: Vec<Declaration> = vec![];
     let things: Vec<(String, &'static str)> = things(declarations);
     for declaration in declarations.iter_mut() {
@@ -49,6 +50,33 @@ pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(joined);
+}
+
+/// "The rotor consists of `$P_1$` and `$P_2$`": these are names. Which of them an index numbers is not worked with.
+fn name_parts(declarations: &mut [Declaration]) {
+    let particles = |(_, term): &(Slot, Term)| matches!(term, Term::Name(name) if name.trim_end_matches('s').ends_with("particle"));
+    let numbers = |d: &Declaration| {
+        let counted = d.statement.does("number");
+        counted.is_some_and(|(_, slots)| slots.iter().any(particles))
+    };
+    if declarations.iter().any(numbers) {
+        return;
+    }
+    for declaration in declarations {
+        let Statement::Does {
+            verb: "consist",
+            slots,
+            ..
+        } = &mut declaration.statement
+        else {
+            continue;
+        };
+        for (_, part) in slots {
+            if let Term::Formula(letter) = part {
+                *part = Term::Name(letter.source.replace(['{', '}'], ""));
+            }
+        }
+    }
 }
 
 /// The things that sentences tell what they are, or that have a number: "particle 1".

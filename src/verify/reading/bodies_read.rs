@@ -59,7 +59,8 @@ impl Builder<'_> {
                 && let Some(body) = what.slot(Slot::FixedIn).and_then(|t| self.body(t))
                 && let Some(frame) = subjects.first().and_then(|s| self.frame(s))
             {
-                self.reading.system.bodies[body].frame = Some(frame);
+                // Other frames fixed in it are turned against the first one.
+                self.reading.system.bodies[body].frame.get_or_insert(frame);
             }
         }
         self.fix_bodies_in_frames();

@@ -41,6 +41,10 @@ impl Builder<'_> {
         if body.is_none() || self.reading.system.families[family].body != body {
             return None;
         }
+        // That of a plate is by its area, that of a rod by its length: which one the shape tells, and is not worked with.
+        if self.has_shape(of) {
+            return None;
+        }
         let index = self.reading.system.families[family]
             .indices
             .first()?
@@ -53,6 +57,17 @@ impl Builder<'_> {
             self.reading.system.families[family].density = Some(density);
         }
         Some(Quantity::Density(family, index))
+    }
+
+    fn has_shape(&self, thing: &Term) -> bool {
+        let name = name_of(thing);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let mut named = subjects.iter().map(name_of);
+                self.is_shape(what.head) && named.any(|own| own.is_some() && own == name)
+            }
+            _ => false,
+        })
     }
 
     /// Whether a body is said to be uniform, or a letter to be constant.

@@ -1,15 +1,13 @@
 //! Frames, and how they turn against one another.
 
 use crate::algebra::Fraction;
-use crate::verify::language::statement::{
-    Declaration, Extent, Formula, Slot, Statement, Term, slot,
-};
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::whole;
-use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
+use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{along_of, is_letter, name_of, opposite};
+use crate::verify::reading::names::{along_of, name_of, opposite};
 use crate::verify::reading::parents_read::{carried_by_frames, of_euler_angles, turned_against};
-use crate::verify::term::letters::{Meaning, Reach};
+use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
 use std::collections::BTreeMap;
@@ -308,105 +306,5 @@ impl Builder<'_> {
             .ok()
             .and_then(|v| v.to_scalar().ok());
         value.unwrap_or_else(Zero::zero)
-    }
-
-    /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.
-    /// A direction that is told by numbers, with the length one: "`$(1,1,1)$`".
-    fn of_length_one(&mut self, along: Vector) -> Option<Vector> {
-        let square = along.dot(&along);
-        match square.to_rational() {
-            Some(number) if number.is_zero() => None,
-            Some(_) => Some(along / self.system().atoms.root(&square)?),
-            None => Some(along),
-        }
-    }
-
-    pub(super) fn direction(
-        &mut self,
-        term: &Term,
-        declaration: &Declaration,
-        carried: Option<FrameId>,
-    ) -> Option<Vector> {
-        if let Some(name) = name_of(term)
-            && let Some(&(frame, axis)) = self.axes.get(&name)
-        {
-            return Some(self.system().axis(frame, axis));
-        }
-        if let Some(opposite) = opposite(term) {
-            return Some(-self.direction(&opposite, declaration, carried)?);
-        }
-        match term {
-            Term::Phrase(phrase) if matches!(phrase.head, "axis" | "line") => {
-                if let Some((frame, axis)) = self.axis_of_frame(term) {
-                    return Some(self.system().axis(frame, axis));
-                }
-                let along = phrase.slot(Slot::Along).or(phrase.slot(Slot::Which))?;
-                self.direction(&along.clone(), declaration, carried)
-            }
-            Term::Phrase(phrase) => self.direction_of_plane(phrase),
-            Term::Formula(formula) => {
-                if self.is_told(formula, declaration) || !is_letter(formula) {
-                    let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
-                    return self.of_length_one(along);
-                }
-                // An axis about which a frame turns is fixed in both.
-                let unit = self.unit_vector_of(formula, carried);
-                let meaning = Meaning::Quantity(unit.clone());
-                self.denote_within(formula, meaning, Reach::All, declaration);
-                self.system().value_of(&unit).ok()?.to_vector().ok()
-            }
-            Term::Name(name) if self.bodies.contains_key(name) => {
-                let body = self.body(term)?;
-                self.line_of(body)
-            }
-            Term::Name(name) => {
-                let axis = CUSTOMARY
-                    .iter()
-                    .find_map(|names| names.iter().position(|n| n == name))?;
-                let frame = self.reading.letters.component_frame;
-                Some(self.system().axis(frame, axis))
-            }
-            _ => None,
-        }
-    }
-}
-
-impl Builder<'_> {
-    /// A letter of a unit vector that only sentences tell, of one thing or of each of many, and what carries it.
-    pub(super) fn unit_vector_of(&self, letter: &Formula, carried: Option<FrameId>) -> Quantity {
-        let text = letter.source.clone();
-        let fixed = self.said_fixed(letter);
-        let name = name_of(&Term::Formula(letter.clone()));
-        let member = name.and_then(|name| {
-            let (_, label) = name.split_once('_')?;
-            Some(self.reading.system.index_in(label)?.1)
-        });
-        match member {
-            Some(index) => Quantity::MemberVector {
-                text,
-                carried: fixed.or(carried),
-                index,
-            },
-            None => Quantity::UnitVector {
-                text,
-                carried: carried.or(fixed),
-            },
-        }
-    }
-
-    /// The frame in which a sentence says that a vector is fixed.
-    pub(super) fn said_fixed(&self, letter: &Formula) -> Option<FrameId> {
-        let own = |subject: &Term| matches!(subject, Term::Formula(f) if f.source == letter.source);
-        let says = |declaration: &&Declaration| match &declaration.statement {
-            Statement::Is { subjects, .. } => {
-                declaration.extent == Extent::Document && subjects.iter().any(own)
-            }
-            _ => false,
-        };
-        let mut said = self.declarations.iter().filter(says);
-        said.find_map(|declaration| match &declaration.statement {
-            Statement::Is { what, .. } => self.frame(what.slot(Slot::FixedIn)?),
-            _ => None,
-        })
     }
 }

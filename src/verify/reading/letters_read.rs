@@ -80,6 +80,7 @@ impl Builder<'_> {
             }
             Statement::Same { .. } => self.read_same(declaration),
             Statement::Means { .. } => self.read_means(declaration),
+            Statement::Holds(formula) => self.read_definition(formula, declaration),
             Statement::Does {
                 subjects,
                 verb: "take",

@@ -16,6 +16,9 @@ impl Builder<'_> {
         if let Some(reaction) = self.reaction(phrase) {
             return Some(reaction);
         }
+        if let Some(between) = self.quantity_between(phrase) {
+            return Some(between);
+        }
         if self.agent_outside(phrase, None).is_some() {
             return self.named_force(phrase);
         }
@@ -37,6 +40,8 @@ impl Builder<'_> {
     /// The force at a point: the one that a letter names, or the one of which it is said that it acts there.
     pub(super) fn force_at(&mut self, at: PointId) -> Option<Quantity> {
         let value = match self.loads_at(at, Lasting::Always).as_slice() {
+            // What each of two bodies does to the other.
+            [.., one, other] if one.value == -other.value.clone() => return None,
             named @ [_, ..] => {
                 let values = named.iter().map(|load| &load.value);
                 values.fold(Vector::zeros(), |sum, value| sum + value)
@@ -76,6 +81,9 @@ impl Builder<'_> {
     ) -> Option<Quantity> {
         if let Some(drive) = self.drive(phrase) {
             return Some(drive);
+        }
+        if let Some(between) = self.quantity_between(phrase) {
+            return Some(between);
         }
         if self.agent_outside(phrase, None).is_some() {
             return self.moment_from_outside(phrase);

@@ -50,6 +50,11 @@ impl Builder<'_> {
                 {
                     Some(())
                 }
+                Statement::Is { subjects, what }
+                    if is_force_at(what) && self.load_between(what, None).is_some() =>
+                {
+                    self.name_load_between(subjects, what, declaration)
+                }
                 Statement::Is { subjects, what } if is_force_at(what) => {
                     let said = |subject| (what.head, subject);
                     let mut all = subjects.iter().map(said);

@@ -1,9 +1,9 @@
 //! Loads that a noun names without a letter: "the thrust", "the drag on the aircraft".
 
 use crate::verify::language::heads::{FORCE, FORCES_OF_A_KIND, MOMENT, MOMENTS_OF_A_KIND};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
-use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::is_marked_vector;
 use crate::verify::term::quantity::Quantity;
@@ -31,6 +31,9 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
+        if let Some(load) = self.load_between(phrase, on) {
+            return Some(vec![load]);
+        }
         let agent = self.agent_outside(phrase, on);
         if !names_load(phrase) && agent.is_none() {
             return None;
@@ -53,7 +56,11 @@ impl Builder<'_> {
             }
             let particle = self.reading.system.bodies[body].frame.is_none();
             if !particle || phrase.head != FORCE {
-                self.push_named_load(&called, &format!("M_{{{}}}", phrase.head), None)?;
+                let text = format!("M_{{{}}}", phrase.head);
+                match self.axis_of_moment(phrase, body) {
+                    Some(axis) => self.push_moment_along(&called, &text, &axis)?,
+                    None => self.push_named_load(&called, &text, None)?,
+                }
             }
         }
         Some(self.loads_called(&called))
@@ -64,7 +71,9 @@ impl Builder<'_> {
     pub(super) fn agent_outside(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<String> {
         let agent = phrase.slot(Slot::Of)?;
         let name = match agent {
-            Term::Name(name) if name.starts_with(char::is_lowercase) => name,
+            Term::Name(name) if name.starts_with(char::is_lowercase) => name.as_str(),
+            // A place that may be a body as well: "the base".
+            Term::Phrase(place) if place.slots.is_empty() => place.head,
             _ => return None,
         };
         let known = self.whole(agent).is_some()
@@ -75,7 +84,7 @@ impl Builder<'_> {
         let upon = upon.or(on).map(|body| &self.reading.system.bodies[body]);
         let particle = upon.is_some_and(|body| body.frame.is_none() && body.parts.is_empty());
         let load = matches!(phrase.head, FORCE | MOMENT) && phrase.slot(Slot::At).is_none();
-        (load && (!known || particle)).then(|| name.clone())
+        (load && (!known || particle)).then(|| name.to_owned())
     }
 
     fn loads_called(&self, called: &Called) -> Vec<Load> {
@@ -96,6 +105,39 @@ impl Builder<'_> {
             called: called.clone(),
             at,
             value,
+            lasting: Lasting::Always,
+            part: false,
+        });
+        Some(())
+    }
+
+    /// "`M` is the moment of the motor on the rotor along z": what no body of the system exerts has no other component.
+    fn axis_of_moment(&mut self, phrase: &NounPhrase, on: BodyId) -> Option<Vector> {
+        let agent = phrase.slot(Slot::Of).filter(|_| phrase.head == MOMENT)?;
+        let declarations = self.declarations;
+        declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == MOMENT => {
+                let same = what.slot(Slot::Of) == Some(agent)
+                    && self.body(what.slot(Slot::Upon)?) == Some(on)
+                    && subjects.len() == 1
+                    && may_be_size(&subjects[0], &NounPhrase::new(MOMENT, vec![]));
+                let along = what.slot(Slot::Along).filter(|_| same)?;
+                self.direction(&along.clone(), d, None)
+            }
+            _ => None,
+        })
+    }
+
+    fn push_moment_along(&mut self, called: &Called, text: &str, axis: &Vector) -> Option<()> {
+        let size = Quantity::Scalar {
+            text: text.to_owned(),
+            constant: false,
+        };
+        let size = self.system().value_of(&size).ok()?.to_scalar().ok()?;
+        self.system().loads.push(Load {
+            called: called.clone(),
+            at: None,
+            value: axis * size,
             lasting: Lasting::Always,
             part: false,
         });

@@ -2,8 +2,8 @@
 
 use crate::notation::ast::{Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, QUATERNION_DOT,
-    QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
+    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, NOTHING,
+    QUATERNION_DOT, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -130,7 +130,7 @@ impl Builder<'_> {
             let letters = letters.iter().filter_map(node_of).cloned();
             return self.reading.letters.arguments.push(letters.collect());
         }
-        if is_custom(sign, meaning) {
+        if is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING) {
             return;
         }
         if let (Sign::Label { labels, .. }, NotationMeaning::Noun(instants)) = (sign, meaning)

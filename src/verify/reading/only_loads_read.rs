@@ -126,7 +126,7 @@ impl Builder<'_> {
         }
         let letter = letters.first().map(|letter| (*letter).clone());
         // Another sentence may name the force at this point.
-        match (self.loads_at(at, lasting).as_slice(), &letter) {
+        match (self.loads_on(listed.body, at, lasting).as_slice(), &letter) {
             ([named], None) => {
                 listed.loads.push(named.clone());
                 return Some(());

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::{CONJUGATE, CONSTANT, SCALAR_PART, SECOND_RATE, VECTOR_PART};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::reading::definitions_read::definition_in;
 use crate::verify::reading::loads_read::acting_force;
 use crate::verify::reading::names::{PRINCIPAL_MOMENTS, UNIT_VECTOR, node_of, tells_gravity};
 use crate::verify::term::letters::{loosely, spelled};
@@ -127,6 +128,10 @@ fn told_letters(statement: &Statement) -> Vec<String> {
     if matches!(statement, Statement::Is { what, .. } if TRAITS.contains(&what.head)) {
         return vec![];
     }
+    if let Statement::Holds(formula) = statement {
+        let defined = definition_in(formula).map(|(letter, _)| keys(letter));
+        return defined.into_iter().flatten().collect();
+    }
     let (Statement::Is { subjects, .. }
     | Statement::Same { subjects, .. }
     | Statement::Does {
@@ -165,6 +170,11 @@ pub(crate) fn mentioned_letters(statement: &Statement) -> Vec<[String; 2]> {
             }
         }
         Statement::Does { slots, .. } => in_slots(slots, &mut letters),
+        Statement::Holds(formula) => {
+            if let Some((_, right)) = definition_in(formula) {
+                in_formula(&Formula::of(right), &mut letters);
+            }
+        }
         Statement::Same { others, .. } => others.iter().for_each(|t| in_term(t, &mut letters)),
         _ => {}
     }

@@ -1,7 +1,7 @@
 //! Vectors that lie along others: "`$H$` points along Z", "`$\\omega$` is parallel to z".
 
 use crate::mechanics::cross;
-use crate::verify::language::heads::{POSITION, WITHOUT_FRICTION};
+use crate::verify::language::heads::{MOMENT, POSITION, WITHOUT_FRICTION};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
@@ -58,6 +58,11 @@ impl Builder<'_> {
             "point" if formulas(subjects).count() == subjects.len() => {
                 self.read_pointing(subjects, slots, declaration);
             }
+            "point" if are_moments(subjects) => {
+                let read = self.loads_point(subjects, slots, declaration);
+                read.unwrap_or_else(|| self.say_unused(declaration));
+            }
+            "point" if self.loads_point(subjects, slots, declaration).is_some() => {}
             "lie" => {
                 if let Some(axis) = axis_of(slots) {
                     self.read_lying(subjects, axis, declaration);
@@ -213,4 +218,10 @@ impl Builder<'_> {
         });
         said.flatten().cloned().collect()
     }
+}
+
+/// Whether all that a sentence is about is moments by their nouns.
+pub(super) fn are_moments(subjects: &[Term]) -> bool {
+    let moment = |subject: &Term| matches!(subject, Term::Phrase(load) if load.head == MOMENT);
+    subjects.iter().all(moment)
 }

@@ -1,11 +1,15 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
 use crate::algebra::{Fraction, Place};
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, Slot, Statement, Term, slot,
+};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, is_letter, is_marked_vector, name_of, node_of};
+use crate::verify::reading::names::{
+    MASS_CENTRE, UNIT_VECTOR, is_letter, is_marked_vector, name_of, node_of,
+};
 use crate::verify::reading::points_spoken::Spoken;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{Meaning, spelled};
@@ -71,7 +75,7 @@ impl Builder<'_> {
             ) else {
                 continue;
             };
-            if is_marked_vector(by) && !self.is_subject(by) {
+            if is_letter(by) && !self.is_subject(by) {
                 let of = Spot::Point(of);
                 let way = Quantity::Position { of, from };
                 self.denote(by, Meaning::Quantity(way), declaration);
@@ -171,6 +175,9 @@ impl Builder<'_> {
         if let Some(placed) = by_end.or_else(|| self.end_from_centre(&spoken.name)) {
             return placed;
         }
+        if let Some(placed) = self.way_along_axis(&spoken.name) {
+            return placed;
+        }
         let text = format!("r_{{{}}}", spoken.name);
         let system = &mut self.reading.system;
         let of_each = spoken
@@ -190,6 +197,48 @@ impl Builder<'_> {
         let coordinates = way.iter().filter_map(Fraction::as_variable);
         system.atoms.set_unplaced(coordinates);
         (from, way)
+    }
+
+    /// "`$e_1$` is the unit vector from O to P", where `$e_1$` is an axis: P lies somewhere along it.
+    fn way_along_axis(&mut self, name: &str) -> Option<(PointId, Vector)> {
+        let told = self.declarations.iter().find_map(|d| {
+            let Statement::Is { subjects, what } = &d.statement else {
+                return None;
+            };
+            let ends = (what.slot(Slot::From)?, what.slot(Slot::To)?);
+            let here = what.head == UNIT_VECTOR && name_of(ends.1).as_deref() == Some(name);
+            let axis = subjects.iter().find_map(|s| self.axes.get(&name_of(s)?));
+            axis.filter(|_| here && d.extent == Extent::Document)
+                .and_then(|axis| Some((self.point(ends.0)?, *axis)))
+        });
+        let (from, (frame, axis)) = told?;
+        let distance = self.distance_of(name)?;
+        self.system().atoms.set_positive(&distance);
+        Some((from, self.system().axis(frame, axis) * distance))
+    }
+
+    /// The distance, which no sentence tells, of a point that lies along an axis.
+    fn distance_of(&mut self, name: &str) -> Option<Fraction> {
+        let distance = Quantity::Scalar {
+            text: format!("d_{{{name}}}"),
+            constant: false,
+        };
+        self.system().value_of(&distance).ok()?.to_scalar().ok()
+    }
+
+    /// Whether the point to which a unit vector leads was placed along it.
+    pub(super) fn is_placed_along(
+        &mut self,
+        axis: &Vector,
+        way: &Vector,
+        declaration: &Declaration,
+    ) -> bool {
+        let Statement::Is { what, .. } = &declaration.statement else {
+            return false;
+        };
+        let name = what.slot(Slot::To).and_then(name_of);
+        let distance = name.and_then(|name| self.distance_of(&name));
+        distance.is_some_and(|distance| *way == axis * distance)
     }
 
     /// "G lies at the distance a from O along z", "G lies on the third axis of B at the distance a from O", "P is placed from O by r".
@@ -237,6 +286,8 @@ impl Builder<'_> {
         moves_on_its_own: bool,
     ) -> Option<Vector> {
         if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
+            let defined = self.definition_of(by);
+            let by = defined.as_ref().unwrap_or(by);
             return self.place_value(by, declaration)?.to_vector().ok();
         }
         let along = slot(slots, Slot::Along).or(slot(slots, Slot::On))?;

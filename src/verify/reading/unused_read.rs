@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
-use crate::verify::language::heads::{KEEPS_DIRECTION, MASS};
+use crate::verify::language::heads::{FORCE, KEEPS_DIRECTION, MASS, MOMENT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
 };
@@ -11,6 +11,7 @@ use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS, place_in};
 use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::names::{node_of, nodes_of, reach_of};
+use crate::verify::reading::parallels_read::are_moments;
 use crate::verify::reading::unused::{Touches, Unused, carries};
 use crate::verify::term::letters::{labelled_letter, letter_names, spelled};
 use std::collections::BTreeSet;
@@ -81,6 +82,11 @@ impl Builder<'_> {
                     subjects,
                     verb: "point",
                     ..
+                } if are_moments(subjects) => true,
+                Statement::Does {
+                    subjects,
+                    verb: "point",
+                    ..
                 } => subjects.iter().all(|subject| {
                     let body = self.body(subject);
                     let line = body.and_then(|body| self.reading.system.bodies[body].line);
@@ -120,8 +126,10 @@ impl Builder<'_> {
             .slot(Slot::Of)
             .and_then(|term| self.body(term))
             .is_some();
+        // What acts need not be placed.
+        let acts = matches!(what.head, FORCE | MOMENT);
         let rim = what.all(Slot::Of).any(|term| match term {
-            Term::Phrase(of) => UNPLACED.contains(&of.head),
+            Term::Phrase(of) => !acts && UNPLACED.contains(&of.head),
             _ => false,
         });
         let one = what.is("one") && WHOLES.contains(&what.head) && subjects.len() > 1;

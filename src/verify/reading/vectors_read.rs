@@ -121,7 +121,9 @@ impl Builder<'_> {
         }
         let axis = self.system().value_of(axis).ok()?.to_vector().ok()?;
         let along = self.system().value_of(along).ok()?.to_vector().ok()?;
-        self.hold_zero(&mechanics::cross(&axis, &along), declaration);
+        if !self.is_placed_along(&axis, &along, declaration) {
+            self.hold_zero(&mechanics::cross(&axis, &along), declaration);
+        }
         Some(())
     }
 
@@ -187,6 +189,13 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
+        if let (Some(Term::Formula(column)), [Term::Formula(letter)]) =
+            (what.slot(Slot::Which), subjects)
+            && let Some(node) = node_of(column)
+        {
+            let same = Meaning::Same(Box::new(node.clone()));
+            return self.denote(letter, same, declaration);
+        }
         let entries = what.all(Slot::Of).map(|term| match term {
             Term::Formula(formula) => node_of(formula).cloned(),
             Term::Numbers(numbers) => match numbers[..] {

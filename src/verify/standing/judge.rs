@@ -90,7 +90,7 @@ pub(crate) struct Judge<'a> {
     pub(super) settled_taken: Vec<usize>,
     pub(super) again: Again,
     /// The part of the document whose lines are judged; of others only the letters that they define are taken.
-    part: Part,
+    pub(super) part: Part,
 }
 
 /// Lines that are looked at again, and links that others had before.
@@ -136,11 +136,6 @@ impl<'a> Judge<'a> {
             },
             part,
         }
-    }
-
-    /// Whether the line that is looked at is judged here.
-    pub(super) fn is_own(&self) -> bool {
-        self.part.has(&self.at)
     }
 
     /// Judges every line.
@@ -239,9 +234,7 @@ impl<'a> Judge<'a> {
         let links = self.chain.links(line);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
-        let elsewhere = self
-            .part
-            .passes_over(&links, &self.reading.letters, &self.at);
+        let elsewhere = self.passes_over(&links);
         if self.reading.left_out(&self.at) || links.is_empty() || cut || elsewhere {
             return;
         }
@@ -360,11 +353,13 @@ impl<'a> Judge<'a> {
     /// One verdict from what the links came to: the worst of them.
     fn conclude(&mut self, line: &Line, head: Span, purpose: Purpose, held: Vec<Held>) {
         let derived = purpose.derived || self.unused_of(&line.sides).is_some();
+        let chooses = self.chooses_direction(line);
         let standing = |h: &Held| match (h.standing, purpose.role) {
             // What an author declares to be a definition is assumed: it may fix what sentences leave free.
             (Standing::Denied, Role::Define) if purpose.declared && !h.sides.is_empty() => {
                 Standing::Free
             }
+            (Standing::Denied, Role::Claim | Role::Define) if chooses => Standing::Settles,
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
             (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
             (Standing::Settles, _) if self.defines_by_another_line(h) => Standing::Open,

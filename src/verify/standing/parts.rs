@@ -36,6 +36,12 @@ impl Part {
             .all(|(reach, holds)| reach.covers(at, 0) == *holds)
     }
 
+    /// Whether what holds at a place holds here as well: no sentence is in force there that is not in force here.
+    pub(crate) fn is_case_of(&self, at: &At) -> bool {
+        let mut limits = self.limits.iter();
+        limits.all(|(reach, holds)| *holds || !reach.covers(at, 0))
+    }
+
     /// A document that speaks of one system.
     pub(crate) fn whole(declarations: &[Declaration]) -> Self {
         Self {

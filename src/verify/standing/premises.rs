@@ -85,7 +85,7 @@ impl Judge<'_> {
         } else if let Some((letter, left, _)) = &held.settles {
             self.known.shapes.insert(letter.clone(), left.shape());
         }
-        let elsewhere = !self.is_own() && held.standing != Standing::Settles;
+        let elsewhere = !self.part.is_case_of(&self.at) && held.standing != Standing::Settles;
         if instant.is_some() || elsewhere || says_no_more {
             return Answer::Accepted;
         }

@@ -5,6 +5,8 @@ use crate::verify::Role;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::roles::{Purpose, purpose};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::quantity::Quantity;
 
 impl Judge<'_> {
     /// What the line that is looked at is for; a sentence about the line itself counts most.
@@ -29,5 +31,33 @@ impl Judge<'_> {
             purpose.role = Role::Define;
         }
         purpose
+    }
+
+    /// Whether a line stands in another part, and says nothing of this one.
+    pub(super) fn passes_over(&self, links: &[Link]) -> bool {
+        let elsewhere = self
+            .part
+            .passes_over(links, &self.reading.letters, &self.at);
+        elsewhere && !self.binds_as_premise(links)
+    }
+
+    /// Whether a line of another part is declared to hold, and this part is a case of that one.
+    fn binds_as_premise(&self, links: &[Link]) -> bool {
+        let sides: Vec<&Node> = links.iter().flat_map(|l| [&l.left, &l.right]).collect();
+        let role = self.reading.role(&self.at, &sides);
+        self.part.is_case_of(&self.at) && matches!(role, Some(Role::Given | Role::Assume))
+    }
+
+    /// Whether a line sets a unit vector, of which no sentence tells where it points, to something.
+    pub(super) fn chooses_direction(&self, line: &Line) -> bool {
+        let [left, _] = line.sides.as_slice() else {
+            return false;
+        };
+        let letters = &self.reading.letters;
+        let told = letters.find(&spelled(left), &loosely(left), &self.at, 1);
+        matches!(
+            told.map(|letter| &letter.meaning),
+            Some(Meaning::Quantity(Quantity::UnitVector { .. }))
+        )
     }
 }

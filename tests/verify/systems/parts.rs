@@ -76,7 +76,7 @@ $$ \frac{d\vec u}{dt} = \vec u\times\vec\omega $$
 }
 
 #[test]
-fn what_is_built_in_one_part_has_letters_of_its_own_there() {
+fn what_is_built_in_one_part_is_told_of_no_other() {
     let sentences = "N is an inertial frame.
 x, y, z are the axes of N.
 z is the upward vertical.
@@ -105,5 +105,35 @@ $$ J = \tfrac25 Ma^2 $$
 $$ J = \tfrac25 Ma^2 $$
 $$ J = \tfrac13 Mh^2 $$
 ";
-    assert_eq!(judged(sentences, text), "pprpr");
+    assert_eq!(judged(sentences, text), "ppupu");
+}
+
+#[test]
+fn what_turns_in_one_part_lies_freely_before_it_and_what_is_given_there_holds_in_it() {
+    let sentences = r"N is an inertial frame.
+A is a frame that turns relative to N about $c$ at the constant rate $n$.
+$a$, $b$, $c$ are the axes of A.
+B is a frame fixed in the satellite.
+$u$, $v$, $w$ are the axes of B.
+G is the mass centre of the satellite.
+E is a point fixed in N.
+$a$ is the unit vector from E to G.
+The axes of B are principal axes of the satellite.
+$\mathbf J$ is the inertia tensor of the satellite about G.
+$J_1$, $J_2$, $J_3$ are the principal moments of the satellite about G on B.
+$\mathbf M$ is the total moment on the satellite about G.
+$M_1$, $M_2$, $M_3$ are the components of $\mathbf M$ on B.
+$a_1$, $a_2$, $a_3$ are the components of $a$ on B.
+Line 2 is given.
+From line 5 on B turns relative to A about $c$ by the angle $\theta$.
+";
+    let text = r"
+$$ \mathbf M = 3n^2 a\times(\mathbf J\cdot a) $$
+$$ M_3 = 3n^2(J_2-J_1)a_1a_2 $$
+$$ a_3 = 0 $$
+$$ a_3 = 0 $$
+$$ J_3\ddot\theta = -3n^2(J_2-J_1)\sin\theta\cos\theta $$
+$$ J_3\ddot\theta = 3n^2(J_2-J_1)\sin\theta\cos\theta $$
+";
+    assert_eq!(judged(sentences, text), "aprppr");
 }

@@ -1,0 +1,122 @@
+//! Commands that a document uses and does not define, and that its author's sentences set around single letters: they
+//! only mark these letters, `\uvec{k}`.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+use crate::notation::token::matching_brace;
+use crate::notation::{Macros, read_formula};
+use std::collections::BTreeMap;
+
+/// A word that says something of any letter: then a command is an operator.
+const FOR_ANY: &str = "any ";
+
+/// How letters may look that a command of the author's own marks: a letter with a mark that nobody else uses.
+const LOOKS: [&str; 2] = ["\\check{#1}", "\\check{\\mathcal{#1}}"];
+
+/// No more commands are looked at.
+const MOST: usize = 100;
+
+/// The commands that sentences set around single letters, each with what it stands for.
+pub(super) fn told_marks(
+    sentences: impl Iterator<Item = impl AsRef<str>>,
+    macros: &Macros,
+) -> Vec<(String, &'static str)> {
+    let mut marked: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for sentence in sentences {
+        let sentence = sentence.as_ref();
+        if sentence.contains(FOR_ANY) {
+            continue;
+        }
+        for (command, letter) in commands_around_letters(sentence) {
+            if marked.len() < MOST || marked.contains_key(command) {
+                let letters = marked.entry(command.to_owned()).or_default();
+                letters.push(letter.to_owned());
+            }
+        }
+    }
+    marked.retain(|command, _| is_unknown(command, macros));
+    let mut looks: Vec<(&'static str, Vec<String>)> = LOOKS.map(|look| (look, vec![])).into();
+    let mut found = vec![];
+    for (command, letters) in marked {
+        let free = |look: &&mut (&str, Vec<String>)| letters.iter().all(|l| !look.1.contains(l));
+        if let Some((look, taken)) = looks.iter_mut().find(free) {
+            taken.extend(letters);
+            found.push((command, *look));
+        }
+    }
+    found
+}
+
+/// The commands of a text that have one letter as their argument, each with it.
+fn commands_around_letters(text: &str) -> impl Iterator<Item = (&str, &str)> {
+    let starts = text.match_indices('\\').map(|(at, _)| at + 1);
+    starts.filter_map(|start| {
+        let rest = &text[start..];
+        let length = rest.bytes().take_while(u8::is_ascii_alphabetic).count();
+        let (command, rest) = rest.split_at(length);
+        let rest = rest.trim_start();
+        let argument = match rest.strip_prefix('{') {
+            Some(inside) => inside.get(..matching_brace(inside)?)?,
+            None => first_letter(rest)?,
+        };
+        let argument = argument.trim();
+        let is_letter = first_letter(argument) == Some(argument);
+        (is_letter && !command.is_empty()).then_some((command, argument))
+    })
+}
+
+/// The letter that a text begins with: `k`, `\omega`.
+fn first_letter(text: &str) -> Option<&str> {
+    let length = match text.strip_prefix('\\') {
+        Some(rest) => 1 + rest.bytes().take_while(u8::is_ascii_alphabetic).count(),
+        None => text
+            .chars()
+            .next()
+            .filter(|c| c.is_alphabetic())?
+            .len_utf8(),
+    };
+    text.get(..length).filter(|letter| *letter != "\\")
+}
+
+fn is_unknown(command: &str, macros: &Macros) -> bool {
+    // Behind a letter an operator is known.
+    let rows = read_formula(&format!("a\\{command}{{a}}"), 0, macros);
+    let unknown = format!("\\{command} is not known");
+    let error = |row: &Row| match row {
+        Row::Expression(node) => has_error(node, &unknown),
+        Row::Unreadable { message, .. } => message.contains(&unknown),
+        Row::Line(_) => false,
+    };
+    rows.iter().any(error)
+}
+
+fn has_error(node: &Node, about: &str) -> bool {
+    matches!(&node.kind, Kind::Error(message) if message.contains(about))
+        || node.children().any(|child| has_error(child, about))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn commands_around_single_letters_mark_them() {
+        let marks = |sentence: &str| told_marks([sentence].iter(), &Macros::default());
+        let check = "\\check{#1}";
+        assert_eq!(
+            marks("$\\uvec{k}$ is fixed in B."),
+            [("uvec".to_owned(), check)]
+        );
+        assert_eq!(
+            marks("$\\pvec\\tau_1$ is constant."),
+            [("pvec".to_owned(), check)]
+        );
+        assert!(marks("$\\skew{v}$ is the matrix of $v$, for any vector $v$.").is_empty());
+        assert!(
+            marks("$\\vec{k}$ and $\\dot{\\theta}$ are known, $\\own{a b}$ is not.").is_empty()
+        );
+        let both = marks("$\\one{r}$, $\\two{r}$ and $\\two{s}$ are vectors.");
+        assert_eq!(both.len(), 2);
+        assert_ne!(both[0].1, both[1].1);
+    }
+}

@@ -1,0 +1,78 @@
+//! Formulas of sentences that say what a new letter is: "`$v = a i + b j$`".
+
+use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::notation::document::Row;
+use crate::verify::language::statement::{Declaration, Formula, Statement, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::quantity::Quantity;
+
+/// The letter that a formula may define, and what it may be.
+pub(super) fn definition_in(formula: &Formula) -> Option<(&Node, &Node)> {
+    let Row::Line(Line {
+        sides, relations, ..
+    }) = &formula.row
+    else {
+        return None;
+    };
+    match (sides.as_slice(), relations.as_slice()) {
+        ([left, right], [(Relation::Equal | Relation::Defined, _)])
+            if matches!(left.kind, Kind::Symbol(_)) && !stands_in(right, &spelled(left)) =>
+        {
+            Some((left, right))
+        }
+        _ => None,
+    }
+}
+
+fn stands_in(node: &Node, writing: &str) -> bool {
+    spelled(node) == writing || node.children().any(|child| stands_in(child, writing))
+}
+
+impl Builder<'_> {
+    /// A letter that no other sentence tells is the vector or the matrix to which a formula sets it. That a number is equal
+    /// to another is a premise.
+    pub(super) fn read_definition(&mut self, formula: &Formula, declaration: &Declaration) {
+        let Some((left, right)) = definition_in(formula) else {
+            return;
+        };
+        let letter = Formula::of(left);
+        if self.is_said_to_be(left) || self.quantity_of(&letter, declaration).is_some() {
+            return;
+        }
+        let value = self.mentioned_value(&Formula::of(right), declaration);
+        let Some(value) = value.filter(|value| !value.is_scalar()) else {
+            return;
+        };
+        self.reading.system.trust(&value);
+        let known = Meaning::Quantity(Quantity::Known(value));
+        self.denote(&letter, known, declaration);
+    }
+
+    /// What a formula of a sentence sets a letter to, of which no sentence says in words what it is.
+    pub(super) fn definition_of(&self, letter: &Formula) -> Option<Formula> {
+        let node = node_of(letter).filter(|node| !self.is_said_to_be(node))?;
+        let writing = spelled(node);
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Holds(formula) => {
+                let defined = definition_in(formula);
+                let (_, right) = defined.filter(|(left, _)| spelled(left) == writing)?;
+                Some(Formula::of(right))
+            }
+            _ => None,
+        })
+    }
+
+    /// Whether a sentence says in words what a letter is.
+    fn is_said_to_be(&self, letter: &Node) -> bool {
+        let writing = spelled(letter);
+        let own = |s: &Term| matches!(s, Term::Formula(f) if node_of(f).map(spelled).as_ref() == Some(&writing));
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, .. }
+            | Statement::Same { subjects, .. }
+            | Statement::Does { subjects, .. } => subjects.iter().any(own),
+            _ => false,
+        })
+    }
+}

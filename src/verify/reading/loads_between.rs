@@ -1,0 +1,178 @@
+//! Loads of one body on another: "the force and the moment of the hub on the wheel". What the other one does to the first
+//! is their opposite.
+
+use crate::verify::language::heads::{FORCE, MOMENT};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term, slot};
+use crate::verify::model::loads::{Called, Lasting, Load};
+use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
+
+/// A body that acts, and the one on which it does.
+#[derive(Clone, Copy)]
+struct Pair {
+    agent: BodyId,
+    on: BodyId,
+}
+
+impl Pair {
+    fn called(self, head: &str) -> Called {
+        Called::Noun(format!("{head} {}", self.agent), self.on)
+    }
+
+    fn turned(self) -> Self {
+        Self {
+            agent: self.on,
+            on: self.agent,
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// A load of one body on another, the same wherever sentences speak of it. A force acts where it is said to, else at the
+    /// joint of the two, else at the mass centre; the moment is what is left about that point.
+    pub(super) fn load_between(&mut self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Load> {
+        let pair = self.acting_pair(phrase, on)?;
+        let at = match (phrase.head, phrase.slot(Slot::At)) {
+            (MOMENT, _) => None,
+            (_, Some(at)) => Some(self.point(at)?),
+            (_, None) => Some(self.joint_of(pair)),
+        };
+        let called = |pair: Pair| pair.called(phrase.head);
+        if let Some(known) = self.load_called(&called(pair)) {
+            return (at == known.at).then_some(known);
+        }
+        let load = match self.load_called(&called(pair.turned())) {
+            Some(opposite) if opposite.at == at => Load {
+                called: called(pair),
+                value: -opposite.value.clone(),
+                ..opposite
+            },
+            Some(_) => return None,
+            None => {
+                let text = format!("{}_{{{}{}}}", phrase.head, pair.agent, pair.on);
+                let free = Quantity::Vector {
+                    text,
+                    carried: None,
+                };
+                Load {
+                    called: called(pair),
+                    at,
+                    value: self.system().value_of(&free).ok()?.to_vector().ok()?,
+                    lasting: Lasting::Always,
+                    part: false,
+                }
+            }
+        };
+        self.system().loads.push(load.clone());
+        Some(load)
+    }
+
+    /// The force or the moment of one body on another as a quantity.
+    pub(super) fn quantity_between(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let load = self.load_between(phrase, None)?;
+        if let (MOMENT, Some(about)) = (phrase.head, phrase.slot(Slot::About)) {
+            let about = self.point(about)?;
+            let pair = self.acting_pair(phrase, None)?;
+            // About another point the force has a moment as well.
+            if about != self.joint_of(pair) {
+                return None;
+            }
+        }
+        Some(Quantity::Known(Value::vector(&load.value, Basis::Itself)))
+    }
+
+    /// "`F` is the force of link 1 on link 2 at P": the vector, or how much of it there is along a direction.
+    pub(super) fn name_load_between(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let value = self.load_between(what, None)?.value;
+        let value = match what.slot(Slot::Along) {
+            Some(along) => {
+                let along = self.direction(along, declaration, None)?;
+                Value::scalar(value.dot(&along))
+            }
+            None => Value::vector(&value, Basis::Itself),
+        };
+        let known = Quantity::Known(value);
+        let known = match what.slot(Slot::On).and_then(|on| self.frame(on)) {
+            Some(frame) => Quantity::On(known.boxed(), frame),
+            None => known,
+        };
+        for letter in formulas(subjects) {
+            self.denote(letter, Meaning::Quantity(known.clone()), declaration);
+        }
+        Some(())
+    }
+
+    /// The loads at a point that act on a body.
+    pub(super) fn loads_on(&self, body: BodyId, at: PointId, lasting: Lasting) -> Vec<Load> {
+        let loads = self.loads_at(at, lasting).into_iter();
+        let here = |load: &Load| match load.called {
+            Called::Noun(_, on) => on == body,
+            _ => true,
+        };
+        loads.filter(here).collect()
+    }
+
+    /// "The moment of the motor on the wheel is along z": it has no other component.
+    pub(super) fn loads_point(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let along = slot(slots, Slot::Along)?;
+        let along = self.direction(along, declaration, None)?;
+        for subject in subjects {
+            let Term::Phrase(load) = subject else {
+                return None;
+            };
+            let quantity = match load.head {
+                FORCE => self.force(load),
+                MOMENT => self.moment(load, declaration),
+                _ => None,
+            };
+            let value = self.system().value_of(&quantity?).ok()?.to_vector().ok()?;
+            self.hold_zero(&crate::mechanics::cross(&value, &along), declaration);
+        }
+        Some(())
+    }
+
+    fn acting_pair(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Pair> {
+        let agent = self.body(phrase.slot(Slot::Of)?)?;
+        let on = match phrase.slot(Slot::Upon) {
+            Some(upon) => self.body(upon)?,
+            None => on?,
+        };
+        let rigid = |body: BodyId| self.reading.system.bodies[body].frame.is_some();
+        let load = matches!(phrase.head, FORCE | MOMENT);
+        (load && agent != on && rigid(agent) && rigid(on)).then_some(Pair { agent, on })
+    }
+
+    /// A point that is fixed in both bodies, or the mass centre of the one on which the other acts.
+    fn joint_of(&self, pair: Pair) -> PointId {
+        let system = &self.reading.system;
+        let frame = |body: BodyId| system.bodies[body].frame;
+        let frames: Vec<_> = [frame(pair.agent), frame(pair.on)]
+            .into_iter()
+            .flatten()
+            .collect();
+        let mut points = system.points.iter();
+        let joint = points.position(|p| frames.iter().all(|frame| p.fixed_in.contains(frame)));
+        // Both name one point, whichever of them acts.
+        let (first, _) = (pair.agent.min(pair.on), pair.agent.max(pair.on));
+        joint.unwrap_or(system.bodies[first].centre)
+    }
+
+    fn load_called(&self, called: &Called) -> Option<Load> {
+        let mut loads = self.reading.system.loads.iter();
+        loads.find(|load| load.called == *called).cloned()
+    }
+}
