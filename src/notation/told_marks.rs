@@ -5,13 +5,18 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::token::matching_brace;
 use crate::notation::{Macros, read_formula};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// A word that says something of any letter: then a command is an operator.
 const FOR_ANY: &str = "any ";
 
-/// How letters may look that a command of the author's own marks: a letter with a mark that nobody else uses.
-const LOOKS: [&str; 2] = ["\\check{#1}", "\\check{\\mathcal{#1}}"];
+/// How letters may look that a command of the author's own marks, each with the mark of which no rule may speak then.
+const LOOKS: [(&str, &str); 4] = [
+    ("\\check{#1}", "check"),
+    ("\\check{\\mathcal{#1}}", "check"),
+    ("\\check{\\hat{#1}}", "hat"),
+    ("\\check{\\tilde{#1}}", "tilde"),
+];
 
 /// No more commands are looked at.
 const MOST: usize = 100;
@@ -21,34 +26,25 @@ pub(super) fn told_marks(
     sentences: impl Iterator<Item = impl AsRef<str>>,
     macros: &Macros,
 ) -> Vec<(String, &'static str)> {
-    let mut marked: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut commands: BTreeSet<String> = BTreeSet::new();
+    let mut looks = LOOKS.to_vec();
     for sentence in sentences {
         let sentence = sentence.as_ref();
-        if sentence.contains(FOR_ANY) {
-            continue;
-        }
-        for (command, letter) in commands_around_letters(sentence) {
-            if marked.len() < MOST || marked.contains_key(command) {
-                let letters = marked.entry(command.to_owned()).or_default();
-                letters.push(letter.to_owned());
-            }
+        looks.retain(|(_, mark)| !sentence.contains(mark));
+        if !sentence.contains(FOR_ANY) && commands.len() < MOST {
+            commands.extend(commands_around_letters(sentence).map(str::to_owned));
         }
     }
-    marked.retain(|command, _| is_unknown(command, macros));
-    let mut looks: Vec<(&'static str, Vec<String>)> = LOOKS.map(|look| (look, vec![])).into();
-    let mut found = vec![];
-    for (command, letters) in marked {
-        let free = |look: &&mut (&str, Vec<String>)| letters.iter().all(|l| !look.1.contains(l));
-        if let Some((look, taken)) = looks.iter_mut().find(free) {
-            taken.extend(letters);
-            found.push((command, *look));
-        }
-    }
-    found
+    let unknown = commands.into_iter();
+    let unknown = unknown.filter(|command| is_unknown(command, macros));
+    // A letter that one of them marks is another letter than the same one marked by another.
+    unknown
+        .zip(looks.into_iter().map(|(look, _)| look))
+        .collect()
 }
 
-/// The commands of a text that have one letter as their argument, each with it.
-fn commands_around_letters(text: &str) -> impl Iterator<Item = (&str, &str)> {
+/// The commands of a text that have one letter as their argument.
+fn commands_around_letters(text: &str) -> impl Iterator<Item = &str> {
     let starts = text.match_indices('\\').map(|(at, _)| at + 1);
     starts.filter_map(|start| {
         let rest = &text[start..];
@@ -61,7 +57,7 @@ fn commands_around_letters(text: &str) -> impl Iterator<Item = (&str, &str)> {
         };
         let argument = argument.trim();
         let is_letter = first_letter(argument) == Some(argument);
-        (is_letter && !command.is_empty()).then_some((command, argument))
+        (is_letter && !command.is_empty()).then_some(command)
     })
 }
 
@@ -115,7 +111,7 @@ mod tests {
         assert!(
             marks("$\\vec{k}$ and $\\dot{\\theta}$ are known, $\\own{a b}$ is not.").is_empty()
         );
-        let both = marks("$\\one{r}$, $\\two{r}$ and $\\two{s}$ are vectors.");
+        let both = marks("$\\one{r}$ and $\\two{s}$ are vectors.");
         assert_eq!(both.len(), 2);
         assert_ne!(both[0].1, both[1].1);
     }

@@ -45,6 +45,7 @@ pub(crate) mod names;
 pub(crate) mod no_loads_read;
 pub(crate) mod notation_read;
 pub(crate) mod only_loads_read;
+pub(crate) mod operators_read;
 pub(crate) mod order;
 pub(crate) mod orders_read;
 pub(crate) mod oscillations_read;

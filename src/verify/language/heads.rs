@@ -23,6 +23,8 @@ pub(crate) const TOTAL_ENERGY: &str = "total energy";
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
 pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
 pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
+/// Letters that are set bold, by what is said of their marks.
+pub(crate) const BOLD_LETTER: &str = "bold letter";
 /// What a sign means that is no part of formulas, or by which no rule is meant.
 pub(crate) const NOTHING: &str = "nothing of its own";
 /// The verb of what integrals do with a body, and letters under them with its places.
@@ -219,6 +221,7 @@ mod tests {
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
             NOTHING,
+            BOLD_LETTER,
             FULL_STOP,
             QUATERNION_DOT,
             TENSOR_PRODUCT,

@@ -13,6 +13,7 @@ use crate::verify::reading::instants_read::is_of_instant;
 use crate::verify::reading::loads_read::{acting_force, rests_before};
 use crate::verify::reading::misheard::heard_or_unread;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
+use crate::verify::reading::operators_read::if_rates_are_told_apart;
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
@@ -58,6 +59,7 @@ pub(crate) fn build(
     let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
         .into_iter()
         .map(heard_or_unread)
+        .map(|d| if_rates_are_told_apart(d, declarations))
         .partition(|d| {
             let then = has_condition(d) || is_of_instant(d);
             then && !tells_zero_of_potential(d, declarations) || denies(d)

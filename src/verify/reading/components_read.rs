@@ -10,6 +10,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of};
+use crate::verify::reading::no_loads_read::is_exception;
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -72,7 +73,7 @@ impl Builder<'_> {
         if what.all(Slot::Of).count() > 1 {
             return self.read_components_of_each(subjects, what, declaration);
         }
-        let what = &without_inner_directions(&self.axes_behind_load(what));
+        let what = &without_inner_directions(&self.axes_behind_load(&exceptions_inside(what)));
         let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
         let of = what.slot(Slot::Of).cloned();
         let of = of.and_then(|term| self.operand(&term, declaration));
@@ -240,6 +241,23 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// "The components of the force on the body except the weight": it is left out of the force.
+fn exceptions_inside(what: &NounPhrase) -> NounPhrase {
+    let mut what = what.clone();
+    let slots = std::mem::take(&mut what.slots).into_iter();
+    let (left_out, mut rest): (Vec<_>, Vec<_>) = slots.partition(|(_, term)| is_exception(term));
+    let load = rest.iter_mut().find_map(|(slot, term)| match term {
+        Term::Phrase(load) if *slot == Slot::Of => Some(load),
+        _ => None,
+    });
+    match load {
+        Some(load) => load.slots.extend(left_out),
+        None => rest.extend(left_out),
+    }
+    what.slots = rest;
+    what
 }
 
 /// "The component of the velocity of P along x": the direction is that of the component, wherever it hangs.

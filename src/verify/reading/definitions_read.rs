@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::notation::document::Row;
-use crate::verify::language::statement::{Declaration, Formula, Statement, Term};
+use crate::verify::language::statement::{Declaration, DeclaredRole, Formula, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, spelled};
@@ -61,6 +61,17 @@ impl Builder<'_> {
                 Some(Formula::of(right))
             }
             _ => None,
+        })
+    }
+
+    /// Whether a formula has a letter that a line is said to define.
+    pub(super) fn has_defined_by_line(&self, node: &Node) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Role {
+                role: DeclaredRole::Define(Some(letter)),
+                ..
+            } => node_of(letter).is_some_and(|letter| stands_in(node, &spelled(letter))),
+            _ => false,
         })
     }
 

@@ -1,5 +1,7 @@
 //! Directions: along what a term points, and what sentences tell of the letter of a unit vector.
 
+use crate::algebra::Fraction;
+use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{Declaration, Extent, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -8,6 +10,7 @@ use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, node_of, opposite};
 use crate::verify::term::letters::{Meaning, Reach, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
 use num_traits::Zero;
 
 impl Builder<'_> {
@@ -50,8 +53,9 @@ impl Builder<'_> {
                     let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
                     return self.of_length_one(along);
                 }
-                if let Some(along) = self.direction_told_elsewhere(formula) {
-                    return Some(along);
+                if let Some((along, said)) = self.directed_elsewhere(formula) {
+                    let along = self.formula_value(&along, said)?.to_vector().ok()?;
+                    return self.fixed_direction(along, carried);
                 }
                 // An axis about which a frame turns is fixed in both.
                 let unit = self.unit_vector_of(formula, carried);
@@ -115,9 +119,9 @@ impl Builder<'_> {
     }
 }
 
-impl Builder<'_> {
-    /// The direction that another sentence tells of a letter: "n is the unit vector along x + y", "`$n = x + y$`".
-    fn direction_told_elsewhere(&mut self, letter: &Formula) -> Option<Vector> {
+impl<'d> Builder<'d> {
+    /// Along what another sentence tells a letter to be: "n is the unit vector along x + y", "`$n = x + y$`".
+    fn directed_elsewhere(&self, letter: &Formula) -> Option<(Formula, &'d Declaration)> {
         let writing = node_of(letter).map(spelled)?;
         let own = |s: &Term| matches!(s, Term::Formula(f) if node_of(f).map(spelled).as_ref() == Some(&writing));
         let mut said = self.declarations.iter().filter_map(|d| match &d.statement {
@@ -134,8 +138,26 @@ impl Builder<'_> {
             }
             _ => None,
         });
-        let (along, declaration) = said.find(|(along, _)| !is_letter(along))?;
-        let along = self.formula_value(&along, declaration)?.to_vector().ok()?;
-        self.of_length_one(along)
+        said.find(|(along, _)| !is_letter(along))
+    }
+
+    /// A direction with the length one, which does not move in the frame that carries it.
+    fn fixed_direction(&mut self, along: Vector, carried: Option<FrameId>) -> Option<Vector> {
+        let unit = self.unit_along(along)?;
+        let Some(frame) = carried else {
+            return Some(unit);
+        };
+        let value = Value::vector(&unit, Basis::Itself);
+        let rate = self.system().rate_of_value(&value, frame).ok()?;
+        rate.entries.iter().all(Fraction::is_zero).then_some(unit)
+    }
+
+    /// A vector over its length, where that is a number.
+    pub(super) fn unit_along(&mut self, along: Vector) -> Option<Vector> {
+        let atoms = &mut self.reading.system.atoms;
+        let square = Facts::default().normal(atoms, &along.dot(&along)).ok()?;
+        square.to_rational().filter(|number| !number.is_zero())?;
+        let length = atoms.root(&square)?;
+        Some(along / length)
     }
 }

@@ -274,7 +274,11 @@ impl Builder<'_> {
                 } else {
                     relative
                 };
-                let along = self.direction(about, said.declaration, Some(nearer))?;
+                let along = self.direction(about, said.declaration, Some(nearer));
+                if along.is_none() {
+                    self.say_unused(said.declaration);
+                }
+                let along = along?;
                 let rate = match (rate, angle) {
                     (Some(rate), _) => rate,
                     (None, Some(angle)) => self.system().atoms.derivative(&angle),

@@ -121,6 +121,53 @@ impl Builder<'_> {
         loads.filter(here).collect()
     }
 
+    /// Whether a load is one of a body on another.
+    pub(super) fn is_between(&self, phrase: &NounPhrase, on: Option<BodyId>) -> bool {
+        self.acting_pair(phrase, on).is_some()
+    }
+
+    /// Whether the only moments along an axis are several, or one of another body of the system.
+    pub(super) fn lists_moments(&self, premise: &NounPhrase) -> bool {
+        let on = self.body_of(premise);
+        let between = |load: &Term| match load {
+            Term::Phrase(load) => self.is_between(load, on) || load.all(Slot::Of).count() > 1,
+            _ => false,
+        };
+        let along = premise.slot(Slot::Along).is_some();
+        along && (premise.all(Slot::With).count() > 1 || premise.all(Slot::With).any(between))
+    }
+
+    /// "The moments of the base and of link 2 are the only moments on link 1 along z": they come to the total moment along
+    /// it, about a point that rests in space or the mass centre.
+    pub(super) fn only_moments(
+        &mut self,
+        premise: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let body = self.body_of(premise)?;
+        let along = self.direction(premise.slot(Slot::Along)?, declaration, None)?;
+        let about = match premise.slot(Slot::About) {
+            Some(about) => self.point(about)?,
+            None => (0..self.reading.system.points.len())
+                .find(|&point| self.is_fixed_point(point, body))
+                .unwrap_or_else(|| self.centre_of(body)),
+        };
+        let mut rest = self.system().total_moment(body, about);
+        for load in premise.all(Slot::With) {
+            let Term::Phrase(load) = load else {
+                return None;
+            };
+            for load in self
+                .named_load(load, Some(body))
+                .filter(|_| load.head == MOMENT)?
+            {
+                rest -= load.value;
+            }
+        }
+        self.hold(rest.dot(&along), declaration);
+        Some(())
+    }
+
     /// "The moment of the motor on the wheel is along z": it has no other component.
     pub(super) fn loads_point(
         &mut self,

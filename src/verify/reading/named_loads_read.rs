@@ -5,6 +5,8 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::loads_read::is_force_at;
 use crate::verify::reading::names::is_marked_vector;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -46,6 +48,9 @@ impl Builder<'_> {
             (None, Some(_)) => self.body_of(phrase)?,
             (None, None) => on.or_else(|| self.body_of(phrase))?,
         };
+        if agent.is_some() && self.is_named_with_point(phrase, body) {
+            return self.loads_of_agent(phrase, body);
+        }
         let noun = [phrase.adjectives.as_slice(), &[phrase.head]].concat();
         let noun = noun.join(" ") + &agent.map_or_else(String::new, |agent| format!(" of {agent}"));
         let called = Called::Noun(noun, body);
@@ -109,6 +114,32 @@ impl Builder<'_> {
             part: false,
         });
         Some(())
+    }
+
+    /// The letters of forces that something else exerts on a body at points.
+    fn forces_of_agent(&self, phrase: &NounPhrase, body: BodyId) -> Vec<&Formula> {
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let same = what.head == phrase.head && what.slot(Slot::Of) == phrase.slot(Slot::Of);
+                let on = what.slot(Slot::Upon).and_then(|upon| self.body(upon));
+                (same && is_force_at(what) && on == Some(body)).then_some(subjects)
+            }
+            _ => None,
+        });
+        said.flat_map(|subjects| formulas(subjects)).collect()
+    }
+
+    /// Whether a sentence says where the force of something on a body acts, by its letter.
+    fn is_named_with_point(&self, phrase: &NounPhrase, body: BodyId) -> bool {
+        !is_force_at(phrase) && !self.forces_of_agent(phrase, body).is_empty()
+    }
+
+    /// These forces; `None` where one of them is no load by its letter.
+    fn loads_of_agent(&self, phrase: &NounPhrase, body: BodyId) -> Option<Vec<Load>> {
+        let letters = self.forces_of_agent(phrase, body).into_iter();
+        letters
+            .map(|letter| self.load(letter, Lasting::Always))
+            .collect()
     }
 
     /// "`M` is the moment of the motor on the rotor along z": what no body of the system exerts has no other component.

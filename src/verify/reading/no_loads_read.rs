@@ -1,12 +1,25 @@
 //! Loads of which a sentence says that none act.
 
+use crate::verify::language::heads::{MOMENT, WEIGHT};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Lasting, Load};
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
 
 /// The adverb of what is left out.
 const EXCEPT: &str = "except";
+
+/// Whether a noun leaves something out.
+pub(super) fn leaves_out(phrase: &NounPhrase) -> bool {
+    phrase.all(Slot::With).any(is_exception)
+}
+
+/// "except the weight"
+pub(super) fn is_exception(term: &Term) -> bool {
+    matches!(term, Term::Phrase(except) if except.head == EXCEPT)
+}
 
 impl Builder<'_> {
     pub(super) fn no_moment(
@@ -37,10 +50,35 @@ impl Builder<'_> {
                 let Term::Phrase(load) = load else {
                     return None;
                 };
+                // A part of a load, or one that only other words tell, is not worked with.
+                let whole = load
+                    .slots
+                    .iter()
+                    .all(|(slot, _)| matches!(slot, Slot::Of | Slot::Which | Slot::At));
+                let told = load.head == WEIGHT || load.slot(Slot::Which).is_some();
+                if !whole || !told {
+                    return None;
+                }
                 loads.extend(self.told_loads(load, premise, Lasting::Always)?);
             }
         }
         Some(loads)
+    }
+
+    /// "the total force on the aircraft other than the weight": what is left of the force, or of the moment about a point.
+    pub(super) fn total_but_for(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let body = self.body_of(phrase)?;
+        let others = self.exceptions(phrase)?;
+        let rest = match phrase.head {
+            MOMENT => {
+                let of = self.whole_of(phrase)?;
+                let about = self.about(phrase, &of)?;
+                self.system()
+                    .rest_of_moment(body, about, &others, Lasting::Always)
+            }
+            _ => self.system().rest_of_load(body, &others, Lasting::Always),
+        };
+        Some(Quantity::Known(Value::vector(&rest, Basis::Itself)))
     }
 
     pub(super) fn no_force(

@@ -240,53 +240,6 @@ impl Builder<'_> {
         self.reading.letters.labels.extend(rules);
     }
 
-    /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".
-    fn read_operator_rule(
-        &mut self,
-        formula: &Formula,
-        meaning: &NotationMeaning,
-        effect: Effect,
-        declaration: &Declaration,
-    ) {
-        let written = formula.source.as_str();
-        let reach = reach_of(&declaration.extent);
-        let rate = matches!(effect, Effect::RateSeenFrom(_));
-        if effect == Effect::CrossProductMatrix
-            && let NotationMeaning::Noun(phrase) = meaning
-            && let Some(Term::Formula(of)) = phrase.slot(Slot::Of)
-            && written.trim_end().ends_with("\\times")
-        {
-            let letters = &mut self.reading.letters.crossing;
-            letters.extend(node_of(of).map(spelled));
-        } else if rate && self.names_its_frame(written, &effect) {
-            // Its own command says from where the rate is seen.
-        } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
-            self.reading.letters.marks.push(MarkRule {
-                mark,
-                effect,
-                reach,
-            });
-        } else if node_of(formula).is_none() {
-            self.say_unused(declaration);
-        }
-    }
-
-    /// Whether an operator is a command of the author that ends with the name of the frame: `\ddtA`.
-    fn names_its_frame(&self, written: &str, effect: &Effect) -> bool {
-        let Effect::RateSeenFrom(frame) = effect else {
-            return false;
-        };
-        let name = &self.reading.system.frames[*frame].name;
-        let letters =
-            |text: &str| -> String { text.chars().filter(|c| c.is_alphabetic()).collect() };
-        let (command, name) = (
-            letters(written.trim()),
-            letters(name.trim_end_matches("~cal")),
-        );
-        let single = written.trim().strip_prefix('\\') == Some(command.as_str());
-        single && !name.is_empty() && command.ends_with(&name)
-    }
-
     fn effect(&self, meaning: &NotationMeaning) -> Option<Effect> {
         match meaning {
             NotationMeaning::Noun(phrase) => match phrase.head {
@@ -366,18 +319,6 @@ fn mark_of(name: &str) -> Option<Mark> {
 /// Whether a superscript is that of a transpose.
 fn is_t(label: &str) -> bool {
     matches!(plain_label(label).as_str(), "T" | "top" | "intercal")
-}
-
-/// Whether a derivative is one in time, with d or with ∂.
-pub(super) fn rate_in_time(written: &str) -> Option<Mark> {
-    let plain: String = written
-        .chars()
-        .filter(|c| !c.is_whitespace() && !"\\{}_".contains(*c))
-        .collect();
-    if plain.ends_with("partialt") {
-        return Some(Mark::Partial);
-    }
-    (written.contains("dt") || written.contains("{t}")).then_some(Mark::Leibniz)
 }
 
 /// A label without commands and braces.

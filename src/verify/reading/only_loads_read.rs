@@ -117,7 +117,13 @@ impl Builder<'_> {
             return Some(());
         }
         let letters: Vec<&Formula> = letters_of(load);
-        if let ("force", None, [letter]) = (premise.head, load.slot(Slot::At), letters.as_slice()) {
+        // A force on a particle acts where that is.
+        let particle = self.reading.system.bodies[listed.body].frame.is_none();
+        if let (true, None, [letter]) = (
+            premise.head == "force" || particle && FORCES.contains(&load.head),
+            load.slot(Slot::At),
+            letters.as_slice(),
+        ) {
             return self.list_letter(letter, premise, listed, declaration);
         }
         let at = load.slot(Slot::At).and_then(|term| self.point(term))?;

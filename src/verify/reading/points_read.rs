@@ -175,7 +175,7 @@ impl Builder<'_> {
         if let Some(placed) = by_end.or_else(|| self.end_from_centre(&spoken.name)) {
             return placed;
         }
-        if let Some(placed) = self.way_along_axis(&spoken.name) {
+        if let Some(placed) = self.way_along_axis(&spoken.name, fixed_in) {
             return placed;
         }
         let text = format!("r_{{{}}}", spoken.name);
@@ -200,7 +200,7 @@ impl Builder<'_> {
     }
 
     /// "`$e_1$` is the unit vector from O to P", where `$e_1$` is an axis: P lies somewhere along it.
-    fn way_along_axis(&mut self, name: &str) -> Option<(PointId, Vector)> {
+    fn way_along_axis(&mut self, name: &str, fixed_in: &[FrameId]) -> Option<(PointId, Vector)> {
         let told = self.declarations.iter().find_map(|d| {
             let Statement::Is { subjects, what } = &d.statement else {
                 return None;
@@ -213,6 +213,14 @@ impl Builder<'_> {
         });
         let (from, (frame, axis)) = told?;
         let distance = self.distance_of(name)?;
+        let own = &self.reading.system.points[from].fixed_in;
+        let shared: Vec<&FrameId> = fixed_in.iter().filter(|f| own.contains(f)).collect();
+        match (shared.is_empty(), shared.contains(&&frame)) {
+            (true, _) => {}
+            // Both ends are fixed in the frame of the axis.
+            (false, true) => self.make_constant(&distance),
+            (false, false) => return None,
+        }
         self.system().atoms.set_positive(&distance);
         Some((from, self.system().axis(frame, axis) * distance))
     }

@@ -134,6 +134,9 @@ impl Builder<'_> {
         let done = match premise.head {
             "principal axes" => self.principal_axes(premise, declaration),
             MASS if premise.is("equal") => self.equal_masses(premise, declaration),
+            "moment" if premise.is("only") && self.lists_moments(premise) => {
+                self.only_moments(premise, declaration)
+            }
             "moment" if premise.is("only") => self.only_drive(premise),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),
@@ -258,6 +261,10 @@ impl Builder<'_> {
         else {
             return self.say_unused(declaration);
         };
+        // What a line defines is told there, and what it is may be no number.
+        if sides.iter().any(|side| self.has_defined_by_line(side)) {
+            return self.say_unused(declaration);
+        }
         let equal = relations
             .iter()
             .all(|(r, _)| matches!(r, Relation::Equal | Relation::Defined));

@@ -94,13 +94,39 @@ impl Builder<'_> {
             }
         };
         let zero = Quantity::Sum(vec![]);
+        let only = self.places_between(products, on)?;
         for (row, column) in PLACES {
-            if !named.contains(&(row, column)) {
+            if !named.contains(&(row, column))
+                && only.as_ref().is_none_or(|o| o.contains(&(row, column)))
+            {
                 let product = entry_of(&tensor, row, column, on);
                 self.hold_quantities(&product, &zero, declaration);
             }
         }
         Some(())
+    }
+
+    /// "between x and y and between y and z": which products are meant; all of them where no sentence says it, and `None`
+    /// where it is not understood.
+    fn places_between(
+        &mut self,
+        products: &NounPhrase,
+        on: FrameId,
+    ) -> Option<Option<Vec<(usize, usize)>>> {
+        let between: Vec<Term> = products.all(Slot::Between).cloned().collect();
+        if between.is_empty() {
+            return Some(None);
+        }
+        let axis = |axis: &Term| {
+            let (of, axis) = self.axis_of_frame(axis)?;
+            (of == on).then_some(axis)
+        };
+        let axes: Vec<usize> = between.iter().map(axis).collect::<Option<_>>()?;
+        let pairs = axes.chunks(2).map(|pair| match *pair {
+            [one, other] if one != other => Some((one.min(other), one.max(other))),
+            _ => None,
+        });
+        Some(Some(pairs.collect::<Option<_>>()?))
     }
 
     /// The products that letters name, where all are of one tensor on one frame.

@@ -2,8 +2,8 @@
 
 use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
-    KINETIC_ENERGY, MASS_MATRIX, MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART,
-    SECOND_RATE, VECTOR_PART,
+    KINETIC_ENERGY, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX,
+    SCALAR_PART, SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -17,6 +17,7 @@ use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
     UNIT_VECTOR, name_of, opposite, told,
 };
+use crate::verify::reading::no_loads_read::leaves_out;
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
 
@@ -209,6 +210,7 @@ impl Builder<'_> {
                     velocities,
                 }
             }
+            FORCE | MOMENT if leaves_out(phrase) => self.total_but_for(phrase)?,
             FORCE | CONTACT_FORCE | NORMAL_FORCE | FRICTION => self.force(phrase)?,
             head if inertial(head).is_some() => self.inertial_force(phrase)?,
             MASS_MATRIX => self.mass_matrix(phrase, declaration)?,
@@ -303,7 +305,11 @@ impl Builder<'_> {
         if let Term::Formula(formula) = term
             && let Some(quantity) = self.quantity_of(formula, declaration)
         {
-            return Some(quantity);
+            let Quantity::Known(value) = &quantity else {
+                return Some(quantity);
+            };
+            let unit = self.unit_along(value.to_vector().ok()?)?;
+            return Some(Quantity::Known(Value::vector(&unit, Basis::Itself)));
         }
         let vector = self.direction(term, declaration, None)?;
         Some(Quantity::Known(Value::vector(&vector, Basis::Itself)))

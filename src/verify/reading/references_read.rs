@@ -4,7 +4,7 @@ use crate::algebra::{Fraction, Polynomial, Variable, compose};
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::heads::{DISTURBANCE, REFERENCE};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::atoms::{Atoms, Law};
+use crate::verify::model::atoms::{Atoms, Law, Motion, Nature};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::node_of;
@@ -54,6 +54,9 @@ impl Builder<'_> {
             let Statement::Is { what, .. } = &declaration.statement else {
                 continue;
             };
+            if what.head == REFERENCE && self.is_lone_reference(what, declaration).is_none() {
+                self.say_unused(declaration);
+            }
             if what.head == DISTURBANCE
                 && let Some(of) = self.of_letter(what)
                 && self.made_up(&of, declaration).is_none()
@@ -61,6 +64,29 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
+    }
+
+    /// A reference value without a letter for the disturbance is what the whole is where nothing is disturbed.
+    fn is_lone_reference(&mut self, what: &NounPhrase, declaration: &Declaration) -> Option<()> {
+        let of = self.of_letter(what)?;
+        if self.letter_said(DISTURBANCE, &of).is_some() {
+            return Some(());
+        }
+        let reference = self.letter_said(REFERENCE, &of)?;
+        let whole = self.mentioned_value(&of, declaration)?;
+        let reference = self.mentioned_value(&reference, declaration)?;
+        let small = self.disturbances();
+        for (whole, reference) in whole.entries.iter().zip(&reference.entries) {
+            let atoms = &mut self.reading.system.atoms;
+            let value = Facts::default().normal(atoms, whole).ok()?;
+            // What has a variable of its own obeys equations, and so does its reference value.
+            if value.as_variable().is_some() {
+                continue;
+            }
+            let calm = undisturbed(atoms, &value, &small)?;
+            self.hold(reference.clone() - calm, declaration);
+        }
+        Some(())
     }
 
     fn made_up(&mut self, of: &Formula, declaration: &Declaration) -> Option<()> {
@@ -233,11 +259,19 @@ impl Builder<'_> {
         if small.is_empty() {
             return None;
         }
+        let references = self.variables_said(REFERENCE);
+        let mut whole = true;
         for premise in self.reading.premises.clone() {
             let atoms = &mut self.reading.system.atoms;
             let value = Facts::default().normal(atoms, &premise.equation).ok()?;
             let above = Fraction::from(value.numerator().clone());
             let calm = undisturbed(atoms, &above, &small)?;
+            // What moves and has no reference value of its own is disturbed as well.
+            let mut variables = calm.variables().into_iter();
+            if !variables.all(|v| is_undisturbed(atoms, v, &references)) {
+                whole = false;
+                continue;
+            }
             let mut other = premise.clone();
             other.equation = calm;
             other.source = Self::source_of(declaration);
@@ -245,7 +279,23 @@ impl Builder<'_> {
                 self.reading.premises.push(other);
             }
         }
-        Some(())
+        whole.then_some(())
+    }
+
+    /// The variables of the letters that sentences say to be something.
+    fn variables_said(&mut self, noun: &str) -> Vec<Variable> {
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == noun => Some((subjects, d)),
+            _ => None,
+        });
+        let letters: Vec<_> = said
+            .flat_map(|(subjects, d)| formulas(subjects).map(move |letter| (letter, d)))
+            .collect();
+        let values = letters
+            .into_iter()
+            .filter_map(|(letter, d)| self.mentioned_value(letter, d));
+        let entries: Vec<Fraction> = values.flat_map(|value| value.entries).collect();
+        entries.iter().flat_map(Fraction::variables).collect()
     }
 
     /// The variables that sentences say to be small disturbances.
@@ -268,6 +318,22 @@ impl Builder<'_> {
             }
         }
         variables
+    }
+}
+
+/// Whether a variable stays as it is where nothing is disturbed: it does not change, or is made of reference values.
+fn is_undisturbed(atoms: &Atoms, variable: Variable, references: &[Variable]) -> bool {
+    let atom = atoms.atom(variable);
+    if matches!(atom.motion, Motion::Constant) || references.contains(&variable) {
+        return true;
+    }
+    match (&atom.nature, atom.rate_of) {
+        (_, Some(of)) => is_undisturbed(atoms, of, references),
+        (Nature::Sine(of) | Nature::Cosine(of) | Nature::Root(of), None) => {
+            let mut variables = of.variables().into_iter();
+            variables.all(|v| v != variable && is_undisturbed(atoms, v, references))
+        }
+        _ => false,
     }
 }
 

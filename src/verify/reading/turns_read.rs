@@ -177,7 +177,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let Some(along) = self.direction(about, declaration, Some(relative)) else {
-            return;
+            return self.say_unused(declaration);
         };
         let omega = self.system().angular_velocity(frame, relative);
         let rate = match (rate, angle) {

@@ -1,12 +1,13 @@
 //! Sentences of which nothing was made: which lines they keep from being proved or denied.
 
 use crate::notation::ast::{DerivativeStyle, Function, Kind, Node, Symbol};
+use crate::notation::document::Row;
 use crate::notation::print;
-use crate::verify::language::heads::FRAME_AT_UPPER;
+use crate::verify::language::heads::{BOLD_LETTER, FRAME_AT_UPPER};
 use crate::verify::language::statement::{Formula, Sign};
 use crate::verify::reading::Reading;
 use crate::verify::reading::names::node_of;
-use crate::verify::reading::notation_read::rate_in_time;
+use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -150,12 +151,22 @@ pub(super) fn carries(node: &Node, sign: &Sign) -> bool {
             names_one(node, &BTreeSet::from([name.to_owned()]))
         }),
         Sign::Custom(custom) => carries_custom(node, custom),
+        // Where a sign is not read, it is not read on a line either.
+        Sign::Operator(operator) if is_unread(operator) => false,
         Sign::Operator(operator) => match (style_of_rate(operator), &node.kind) {
             (Some(written), Kind::TimeDerivative { style, .. }) => *style == written,
             (written, _) => written.is_none(),
         },
     };
     own || node.children().any(|child| carries(child, sign))
+}
+
+fn is_unread(formula: &Formula) -> bool {
+    match &formula.row {
+        Row::Unreadable { .. } => true,
+        Row::Expression(node) => matches!(node.kind, Kind::Error(_)),
+        Row::Line(_) => false,
+    }
 }
 
 /// How a formula writes a rate in time, if it is one or the operator of one.
@@ -202,6 +213,8 @@ fn carries_custom(node: &Node, custom: &str) -> bool {
         Kind::Symbol(symbol) if at_upper => !symbol.superscripts.is_empty(),
         Kind::Power(..) if at_upper => true,
         _ if at_upper => frame_label(node).is_some(),
+        Kind::Symbol(symbol) if custom == BOLD_LETTER => symbol.style.vector,
+        _ if custom == BOLD_LETTER => false,
         Kind::Group(..) | Kind::Tuple(_) | Kind::Matrix(_) | Kind::Call(..) => true,
         Kind::InFrame(..) | Kind::Skew(_) | Kind::Norm(_) => true,
         _ => !custom.contains("brackets") && custom != "braces",

@@ -42,6 +42,9 @@ impl Builder<'_> {
     /// momentum along the axis of the wheel, of one of many or of a body.
     pub(super) fn drive(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
         let upon = phrase.slot(Slot::Upon)?;
+        if self.is_between(phrase, None) {
+            return None;
+        }
         if let Some((rotors, body)) = self.carried_rotors(upon) {
             let momentum = self.momentum_along_axis(&rotors, body);
             let rate = self.system().atoms.derivative(&momentum);
@@ -52,7 +55,13 @@ impl Builder<'_> {
             _ => false,
         });
         let of = self.body(upon).filter(|_| driven)?;
-        let about = self.centre_of(of);
+        let about = match phrase.slot(Slot::About) {
+            Some(about) => self.point(about)?,
+            // About a point that is fixed in space the body turns.
+            None => (0..self.reading.system.points.len())
+                .find(|&point| self.is_fixed_point(point, of))
+                .unwrap_or_else(|| self.centre_of(of)),
+        };
         Some(Quantity::Moment { of, about })
     }
 
@@ -101,9 +110,13 @@ impl Builder<'_> {
 fn is_only_drive(premise: &NounPhrase, moment: &NounPhrase) -> bool {
     let same = |one, other| moment.slot(one).is_some() && moment.slot(one) == premise.slot(other);
     let own = premise.all(Slot::With).any(|with| match with {
-        Term::Phrase(load) => load.head == MOMENT && load.slot(Slot::Of) == moment.slot(Slot::Of),
+        Term::Phrase(load) => {
+            let alone = load.all(Slot::Of).count() == 1;
+            load.head == MOMENT && alone && load.slot(Slot::Of) == moment.slot(Slot::Of)
+        }
         _ => false,
     });
     let only = premise.head == MOMENT && premise.is("only");
-    only && own && same(Slot::Upon, Slot::Of) && same(Slot::Along, Slot::Along)
+    let one = premise.all(Slot::With).count() == 1;
+    only && one && own && same(Slot::Upon, Slot::Of) && same(Slot::Along, Slot::Along)
 }

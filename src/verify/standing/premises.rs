@@ -89,11 +89,19 @@ impl Judge<'_> {
         if instant.is_some() || elsewhere || says_no_more {
             return Answer::Accepted;
         }
+        let before = (self.facts.clone(), self.reading.settled.len());
         for (left, right) in &held.sides {
             let equation = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;
             match self.facts.extend(atoms, &equation, source) {
-                Ok(Extended::Contradicts) => return Answer::Refuted,
+                Ok(Extended::Contradicts) => {
+                    // What is refuted tells nothing, in no component.
+                    let (facts, settled) = before;
+                    self.facts = facts;
+                    self.reading.settled.truncate(settled);
+                    self.settled_taken.retain(|taken| *taken < settled);
+                    return Answer::Refuted;
+                }
                 Ok(Extended::Follows) => continue,
                 Ok(Extended::Solved(_) | Extended::Square) => {}
                 Ok(Extended::Unsolved) => self.facts.leave(&equation, source),

@@ -8,12 +8,29 @@ use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 
+/// Words by which what a sentence says holds in a case alone.
+const CONDITIONS: [&str; 5] = ["if", "whenever", "suppose", "unless", "provided"];
+
+/// Who works something out: what they do is no case.
+const WORKERS: [&str; 3] = ["i", "we", "you"];
+
+/// Whether the words before a formula in running text make it one of a case.
+fn is_conditional(sentence: &str) -> bool {
+    let words = sentence.split(|c: char| !c.is_alphabetic());
+    let words: Vec<String> = words.map(str::to_lowercase).collect();
+    let case = |pair: &[String]| {
+        CONDITIONS.contains(&pair[0].as_str()) && !WORKERS.contains(&pair[1].as_str())
+    };
+    words.windows(2).any(case)
+}
+
 impl Judge<'_> {
     /// What the line that is looked at is for; a sentence about the line itself counts most.
     pub(super) fn purpose_of(&self, line: &Line, links: &[Link], display: bool) -> Purpose {
         let mut purpose = purpose(&self.words.sentence).on(line.continues, links);
         if !display {
             purpose = purpose.in_text(links);
+            purpose.doubtful |= is_conditional(&self.words.sentence);
         }
         let sides: Vec<&Node> = links.iter().flat_map(|l| [&l.left, &l.right]).collect();
         if !purpose.derived && self.reading.chooses_reference(&sides) {

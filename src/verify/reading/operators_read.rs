@@ -1,0 +1,98 @@
+//! Rules for operators: d/dt, δ/δt, `a\times`, and commands of the author.
+
+use crate::verify::language::statement::{
+    Declaration, Formula, NotationMeaning, Sign, Slot, Statement, Term,
+};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::term::letters::{Effect, Mark, MarkRule, spelled};
+
+impl Builder<'_> {
+    /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".
+    pub(super) fn read_operator_rule(
+        &mut self,
+        formula: &Formula,
+        meaning: &NotationMeaning,
+        effect: Effect,
+        declaration: &Declaration,
+    ) {
+        let written = formula.source.as_str();
+        let reach = reach_of(&declaration.extent);
+        let rate = matches!(effect, Effect::RateSeenFrom(_));
+        if effect == Effect::CrossProductMatrix
+            && let NotationMeaning::Noun(phrase) = meaning
+            && let Some(Term::Formula(of)) = phrase.slot(Slot::Of)
+            && written.trim_end().ends_with("\\times")
+        {
+            let letters = &mut self.reading.letters.crossing;
+            letters.extend(node_of(of).map(spelled));
+        } else if rate && self.names_its_frame(written, &effect) {
+            // Its own command says from where the rate is seen.
+        } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
+            self.reading.letters.marks.push(MarkRule {
+                mark,
+                effect,
+                reach,
+            });
+        } else if rate || node_of(formula).is_none() {
+            self.say_unused(declaration);
+        }
+    }
+
+    /// Whether an operator is a command of the author that ends with the name of the frame: `\ddtA`.
+    fn names_its_frame(&self, written: &str, effect: &Effect) -> bool {
+        let Effect::RateSeenFrom(frame) = effect else {
+            return false;
+        };
+        let name = &self.reading.system.frames[*frame].name;
+        let letters =
+            |text: &str| -> String { text.chars().filter(|c| c.is_alphabetic()).collect() };
+        let (command, name) = (
+            letters(written.trim()),
+            letters(name.trim_end_matches("~cal")),
+        );
+        let single = written.trim().strip_prefix('\\') == Some(command.as_str());
+        single && !name.is_empty() && command.ends_with(&name)
+    }
+}
+
+/// Whether a derivative is written with δ: `\delta/\delta t`.
+fn is_rate_of_deltas(written: &str) -> bool {
+    let plain: String = written.chars().filter(|c| !c.is_whitespace()).collect();
+    plain.contains("\\delta") && plain.trim_end_matches('}').ends_with("\\deltat")
+}
+
+/// Whether a derivative is one in time, with d, with δ or with ∂.
+pub(super) fn rate_in_time(written: &str) -> Option<Mark> {
+    let plain: String = written
+        .chars()
+        .filter(|c| !c.is_whitespace() && !"\\{}_".contains(*c))
+        .collect();
+    if plain.ends_with("partialt") {
+        return Some(Mark::Partial);
+    }
+    let total = written.contains("dt") || written.contains("{t}") || is_rate_of_deltas(written);
+    total.then_some(Mark::Leibniz)
+}
+
+/// The sentence, or one that was not understood in its place: beside d/dt what δ/δt is hangs on how the lines are written.
+pub(super) fn if_rates_are_told_apart(said: Declaration, all: &[Declaration]) -> Declaration {
+    let operator = |d: &Declaration| match &d.statement {
+        Statement::Notation {
+            sign: Sign::Operator(formula),
+            ..
+        } => Some(formula.source.clone()),
+        _ => None,
+    };
+    let total = |written: String| {
+        rate_in_time(&written) == Some(Mark::Leibniz) && !is_rate_of_deltas(&written)
+    };
+    match operator(&said) {
+        Some(written)
+            if is_rate_of_deltas(&written) && all.iter().filter_map(operator).any(total) =>
+        {
+            said.not_understood()
+        }
+        _ => said,
+    }
+}
