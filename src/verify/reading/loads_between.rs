@@ -157,11 +157,18 @@ impl Builder<'_> {
             let Term::Phrase(load) = load else {
                 return None;
             };
-            for load in self
-                .named_load(load, Some(body))
-                .filter(|_| load.head == MOMENT)?
-            {
-                rest -= load.value;
+            // "The moments of the base and of link 2": one of each.
+            for agent in load.all(Slot::Of) {
+                let slots = load.slots.iter().filter(|(slot, _)| *slot != Slot::Of);
+                let mut slots: Vec<(Slot, Term)> = slots.cloned().collect();
+                slots.push((Slot::Of, agent.clone()));
+                let own = NounPhrase::new(MOMENT, slots);
+                for load in self
+                    .named_load(&own, Some(body))
+                    .filter(|_| load.head == MOMENT)?
+                {
+                    rest -= load.value;
+                }
             }
         }
         self.hold(rest.dot(&along), declaration);

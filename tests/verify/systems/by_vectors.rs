@@ -138,3 +138,63 @@ $$ \mathbf J = \sum_a \mu_a (\mathbf r_a^2 \mathbf E + \mathbf r_a \otimes \math
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_formula_of_a_sentence_tells_a_vector_and_its_direction() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+$x$, $y$, $z$ are the axes of N.
+$n = x + y$.
+$m$ is the unit vector along $x - y$.
+B turns relative to N about $n$ by the angle $\alpha$.
+$\omega$ is the angular velocity of B relative to N.
+";
+    let text = r"
+$$ \omega = \dot\alpha\frac{x+y}{\sqrt2} $$
+$$ |n| = \sqrt2 $$
+$$ |n| = 1 $$
+$$ n\times n = 0 $$
+$$ m\cdot n = 0 $$
+";
+    assert_eq!(judged(sentences, text), "pprpp");
+}
+
+#[test]
+fn a_line_may_choose_where_a_unit_vector_points() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of B.
+P is a point fixed in N and in B.
+B turns relative to N about the axis through P along $\mathbf n$ at the rate $w$.
+$\omega$ is the angular velocity of B relative to N in components on B.
+";
+    let text = r"
+$$ \mathbf n = \frac12\begin{bmatrix}1\\1\\0\end{bmatrix} $$
+$$ \mathbf n = \frac1{\sqrt2}\begin{bmatrix}1\\1\\0\end{bmatrix} $$
+$$ \omega = \frac{w}{\sqrt2}\begin{bmatrix}1\\1\\0\end{bmatrix} $$
+$$ \omega = \frac{w}{2}\begin{bmatrix}1\\1\\0\end{bmatrix} $$
+";
+    assert_eq!(judged(sentences, text), "rapu");
+}
+
+#[test]
+fn an_axis_to_a_point_tells_where_it_is_and_no_more() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+$a$, $b$, $c$ are the axes of B.
+O is a point fixed in N and in B.
+P is a point fixed in B.
+$c$ is the unit vector from O to P.
+$l$ is the distance of P from O.
+$q$ is the position of P from O.
+$\omega$ is the angular velocity of B relative to N.
+A dot over a vector means the rate seen from N.
+";
+    let text = r"
+$$ q = l c $$
+$$ \dot l = 0 $$
+$$ \dot q = \omega\times q $$
+$$ q = l a $$
+";
+    assert_eq!(judged(sentences, text), "pppr");
+}

@@ -62,3 +62,77 @@ $a$ is the magnitude of the acceleration of G relative to N.
 ";
     assert_eq!(judged(sentences, "$$ m a = T $$\n$$ m a = -T $$\n"), "uu");
 }
+
+#[test]
+fn bodies_act_on_one_another_with_opposite_loads() {
+    let sentences = r"N is an inertial frame.
+The arm consists of link 1 and link 2.
+A is a frame fixed in link 1.
+B is a frame fixed in link 2.
+$a$, $b$, $z$ are the axes of A.
+A turns relative to N about $z$ by the angle $p$.
+B turns relative to A about $z$ by the angle $q$.
+O is a point fixed in N and in A.
+P is a point fixed in A and in B.
+P lies at the distance $l$ from O along $a$.
+E is the mass centre of link 1.
+E is placed from O by $e a$.
+H is the mass centre of link 2.
+$J$ is the moment of inertia of link 1 about the axis through O along $z$.
+$\mathbf F$ is the force of link 1 on link 2 at P.
+$s$ is the moment of the base on link 1 along $z$.
+$t$ is the moment of link 1 on link 2 along $z$.
+$u$ is the moment of link 2 on link 1 along $z$.
+The force at O, the moment of the base and the force and the moment of link 2 are the only loads on link 1.
+The force at P and the moment of link 1 are the only loads on link 2.
+";
+    let text = r"
+$$ u = -t $$
+$$ J\ddot p = s - t - l z\cdot(a\times\mathbf F) $$
+$$ J\ddot p = s + t - l z\cdot(a\times\mathbf F) $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn what_is_left_out_of_a_total_load_is_not_in_it() {
+    let sentences = r"E is an inertial frame.
+B is a frame fixed in the aircraft.
+The aircraft is a rigid body of mass $m$.
+G is the mass centre of the aircraft.
+x, y, z are the axes of B.
+The third axis of E points vertically down.
+$\Psi$, $\Theta$, $\Phi$ are the Euler angles of B relative to E in the order z, y, x.
+$U$, $V$, $W$ are the components on B of the velocity of G relative to E.
+$P$, $Q$, $R$ are the components on B of the angular velocity of B relative to E.
+$g$ is the acceleration of gravity.
+$X$, $Y$, $Z$ are the components on B of the total force on the aircraft without its weight.
+";
+    let text = r"
+$$ Y = m(\dot V + UR - PW - g\cos\Theta\sin\Phi) $$
+$$ Y = m(\dot V + UR - PW) $$
+$$ X = m(\dot U + QW - RV + g\sin\Theta) $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}
+
+#[test]
+fn several_moments_along_an_axis_come_to_the_total_one() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in link 1.
+C is a frame fixed in link 2.
+$z$ is the third axis of N.
+O is a point fixed in N and in B.
+B turns relative to N about $z$ by the angle $\theta$.
+$J$ is the moment of inertia of link 1 about the axis through O along $z$.
+$Q$ is the moment of the base on link 1 along $z$.
+$S$ is the moment of link 2 on link 1 along $z$.
+The moments of the base and of link 2 are the only moments on link 1 along $z$.
+";
+    let text = r"
+$$ J\ddot\theta = Q + S $$
+$$ J\ddot\theta = Q $$
+$$ J\ddot\theta = Q - S $$
+";
+    assert_eq!(judged(sentences, text), "prr");
+}

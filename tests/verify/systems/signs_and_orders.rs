@@ -52,3 +52,25 @@ $$ A\dot u = (B-C)nv $$
         );
     }
 }
+
+#[test]
+fn what_moves_and_has_no_reference_value_is_disturbed_as_well() {
+    let sentences = r"E is an inertial frame.
+B is a frame fixed in the aircraft.
+S is the mass centre of the aircraft.
+x, y, z are the axes of B.
+$P$, $Q$, $R$ are the components on B of the angular velocity of B relative to E.
+$\Psi$, $\Theta$, $\Phi$ are the Euler angles of B relative to E in the order z, y, x.
+$A$, $B_1$, $C$ are the principal moments of the aircraft about S on B.
+$M$ is the component 2 on B of the total moment on the aircraft about S.
+$P_0$, $Q_0$, $R_0$ are the reference values of $P$, $Q$, $R$, and $p$, $q$, $r$ their small disturbances.
+$P_0=0$, $Q_0=0$ and $R_0=0$.
+The reference values obey the equations of motion.
+";
+    let text = r"
+$$ M = B_1\dot Q + (A-C)PR $$
+$$ M = B_1\dot Q - (A-C)PR $$
+$$ \dot\Phi = 0 $$
+";
+    assert_eq!(judged(sentences, text), "puu");
+}
