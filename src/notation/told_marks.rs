@@ -22,14 +22,13 @@ const LOOKS: [(&str, &str); 4] = [
 const MOST: usize = 100;
 
 /// The commands that sentences set around single letters, each with what it stands for.
-pub(super) fn told_marks(
-    sentences: impl Iterator<Item = impl AsRef<str>>,
+pub(super) fn told_marks<'s>(
+    sentences: impl Iterator<Item = &'s str>,
     macros: &Macros,
 ) -> Vec<(String, &'static str)> {
     let mut commands: BTreeSet<String> = BTreeSet::new();
     let mut looks = LOOKS.to_vec();
     for sentence in sentences {
-        let sentence = sentence.as_ref();
         looks.retain(|(_, mark)| !sentence.contains(mark));
         if !sentence.contains(FOR_ANY) && commands.len() < MOST {
             commands.extend(commands_around_letters(sentence).map(str::to_owned));
@@ -97,7 +96,7 @@ mod tests {
 
     #[test]
     fn commands_around_single_letters_mark_them() {
-        let marks = |sentence: &str| told_marks([sentence].iter(), &Macros::default());
+        let marks = |sentence: &str| told_marks(std::iter::once(sentence), &Macros::default());
         let check = "\\check{#1}";
         assert_eq!(
             marks("$\\uvec{k}$ is fixed in B."),

@@ -25,7 +25,7 @@ pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
 pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
 /// Letters that are set bold, by what is said of their marks.
 pub(crate) const BOLD_LETTER: &str = "bold letter";
-/// What a sign means that is no part of formulas, or by which no rule is meant.
+/// What a sign means by which no rule is meant.
 pub(crate) const NOTHING: &str = "nothing of its own";
 /// The verb of what integrals do with a body, and letters under them with its places.
 pub(crate) const RUN_OVER: &str = "run over";

@@ -43,12 +43,25 @@ impl Builder<'_> {
         let Whole::Body(body) = of else {
             return centre;
         };
-        let mut points = 0..self.reading.system.points.len();
-        let fixed = points.find(|&point| self.is_fixed_point(point, *body));
         match phrase.head {
-            MOMENT | ANGULAR_MOMENTUM => fixed.unwrap_or(centre),
+            MOMENT | ANGULAR_MOMENTUM => self.fixed_point_of(*body).unwrap_or(centre),
             _ => centre,
         }
+    }
+
+    /// The point about which a moment along an axis is taken: the one that is said, one that is fixed in space, or the mass
+    /// centre.
+    pub(super) fn pivot_of(&self, moment: &NounPhrase, body: BodyId) -> Option<PointId> {
+        match moment.slot(Slot::About) {
+            Some(about) => self.point(about),
+            None => Some(self.fixed_point_of(body).unwrap_or(self.centre_of(body))),
+        }
+    }
+
+    /// A point of a body that is fixed in space.
+    fn fixed_point_of(&self, body: BodyId) -> Option<PointId> {
+        let mut points = 0..self.reading.system.points.len();
+        points.find(|&point| self.is_fixed_point(point, body))
     }
 
     fn has_other_pivot(&self, of: &Whole) -> bool {

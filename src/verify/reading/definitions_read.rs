@@ -5,6 +5,7 @@ use crate::notation::document::Row;
 use crate::verify::language::statement::{Declaration, DeclaredRole, Formula, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::node_of;
+use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
@@ -26,6 +27,20 @@ pub(super) fn definition_in(formula: &Formula) -> Option<(&Node, &Node)> {
     }
 }
 
+/// What a statement sets a letter to by a formula.
+pub(super) fn defined_as(letter: &Formula, statement: &Statement) -> Option<Formula> {
+    let Statement::Holds(formula) = statement else {
+        return None;
+    };
+    let (left, right) = definition_in(formula)?;
+    same_letter(&Formula::of(left), letter).then(|| Formula::of(right))
+}
+
+/// Whether a term is a letter, by its writing.
+pub(super) fn is_written_as(term: &Term, letter: &Formula) -> bool {
+    matches!(term, Term::Formula(own) if same_letter(own, letter))
+}
+
 fn stands_in(node: &Node, writing: &str) -> bool {
     spelled(node) == writing || node.children().any(|child| stands_in(child, writing))
 }
@@ -38,7 +53,7 @@ impl Builder<'_> {
             return;
         };
         let letter = Formula::of(left);
-        if self.is_said_to_be(left) || self.quantity_of(&letter, declaration).is_some() {
+        if self.is_subject(&letter) || self.quantity_of(&letter, declaration).is_some() {
             return;
         }
         let value = self.mentioned_value(&Formula::of(right), declaration);
@@ -52,16 +67,11 @@ impl Builder<'_> {
 
     /// What a formula of a sentence sets a letter to, of which no sentence says in words what it is.
     pub(super) fn definition_of(&self, letter: &Formula) -> Option<Formula> {
-        let node = node_of(letter).filter(|node| !self.is_said_to_be(node))?;
-        let writing = spelled(node);
-        self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Holds(formula) => {
-                let defined = definition_in(formula);
-                let (_, right) = defined.filter(|(left, _)| spelled(left) == writing)?;
-                Some(Formula::of(right))
-            }
-            _ => None,
-        })
+        let mut all = self
+            .declarations
+            .iter()
+            .filter(|_| !self.is_subject(letter));
+        all.find_map(|d| defined_as(letter, &d.statement))
     }
 
     /// Whether a formula has a letter that a line is said to define.
@@ -76,14 +86,9 @@ impl Builder<'_> {
     }
 
     /// Whether a sentence says in words what a letter is.
-    fn is_said_to_be(&self, letter: &Node) -> bool {
-        let writing = spelled(letter);
-        let own = |s: &Term| matches!(s, Term::Formula(f) if node_of(f).map(spelled).as_ref() == Some(&writing));
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, .. }
-            | Statement::Same { subjects, .. }
-            | Statement::Does { subjects, .. } => subjects.iter().any(own),
-            _ => false,
-        })
+    pub(super) fn is_subject(&self, letter: &Formula) -> bool {
+        let own = |term: &Term| is_written_as(term, letter);
+        let mut all = self.declarations.iter();
+        all.any(|d| d.statement.subjects().iter().any(own))
     }
 }

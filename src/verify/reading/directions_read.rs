@@ -5,25 +5,15 @@ use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{Declaration, Extent, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::definitions_read::definition_in;
+use crate::verify::reading::definitions_read::{defined_as, is_written_as};
 use crate::verify::reading::frames_read::CUSTOMARY;
-use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, node_of, opposite};
-use crate::verify::term::letters::{Meaning, Reach, spelled};
+use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, opposite};
+use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 use num_traits::Zero;
 
 impl Builder<'_> {
-    /// A direction that is told by numbers, with the length one: "`$(1,1,1)$`".
-    fn of_length_one(&mut self, along: Vector) -> Option<Vector> {
-        let square = along.dot(&along);
-        match square.to_rational() {
-            Some(number) if number.is_zero() => None,
-            Some(_) => Some(along / self.system().atoms.root(&square)?),
-            None => Some(along),
-        }
-    }
-
     /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.
     pub(super) fn direction(
         &mut self,
@@ -51,7 +41,7 @@ impl Builder<'_> {
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) || !is_letter(formula) {
                     let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
-                    return self.of_length_one(along);
+                    return self.unit_along(along);
                 }
                 if let Some((along, said)) = self.directed_elsewhere(formula) {
                     let along = self.formula_value(&along, said)?.to_vector().ok()?;
@@ -122,8 +112,7 @@ impl Builder<'_> {
 impl<'d> Builder<'d> {
     /// Along what another sentence tells a letter to be: "n is the unit vector along x + y", "`$n = x + y$`".
     fn directed_elsewhere(&self, letter: &Formula) -> Option<(Formula, &'d Declaration)> {
-        let writing = node_of(letter).map(spelled)?;
-        let own = |s: &Term| matches!(s, Term::Formula(f) if node_of(f).map(spelled).as_ref() == Some(&writing));
+        let own = |term: &Term| is_written_as(term, letter);
         let mut said = self.declarations.iter().filter_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == UNIT_VECTOR => {
                 match what.slot(Slot::Along)? {
@@ -131,12 +120,7 @@ impl<'d> Builder<'d> {
                     _ => None,
                 }
             }
-            Statement::Holds(formula) => {
-                let defined = definition_in(formula);
-                let (_, right) = defined.filter(|(left, _)| spelled(left) == writing)?;
-                Some((Formula::of(right), d))
-            }
-            _ => None,
+            statement => Some((defined_as(letter, statement)?, d)),
         });
         said.find(|(along, _)| !is_letter(along))
     }

@@ -2,7 +2,7 @@
 
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
-use crate::verify::model::loads::Lasting;
+use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_read::FORCES;
@@ -10,6 +10,7 @@ use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::quantities_read::without;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
+use std::collections::BTreeSet;
 
 impl Builder<'_> {
     pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
@@ -40,8 +41,8 @@ impl Builder<'_> {
     /// The force at a point: the one that a letter names, or the one of which it is said that it acts there.
     pub(super) fn force_at(&mut self, at: PointId) -> Option<Quantity> {
         let value = match self.loads_at(at, Lasting::Always).as_slice() {
-            // What each of two bodies does to the other.
-            [.., one, other] if one.value == -other.value.clone() => return None,
+            // At a joint each of two bodies acts on the other.
+            named if act_on_several(named) => return None,
             named @ [_, ..] => {
                 let values = named.iter().map(|load| &load.value);
                 values.fold(Vector::zeros(), |sum, value| sum + value)
@@ -237,4 +238,13 @@ fn about_point(force: Quantity, point: PointId) -> Option<Quantity> {
         }),
         _ => None,
     }
+}
+
+/// Whether loads that nouns name act on several bodies.
+fn act_on_several(loads: &[Load]) -> bool {
+    let bodies = loads.iter().filter_map(|load| match load.called {
+        Called::Noun(_, on) => Some(on),
+        _ => None,
+    });
+    bodies.collect::<BTreeSet<_>>().len() > 1
 }

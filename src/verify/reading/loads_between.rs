@@ -4,7 +4,7 @@
 use crate::verify::language::heads::{FORCE, MOMENT};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term, slot};
 use crate::verify::model::loads::{Called, Lasting, Load};
-use crate::verify::model::system::{BodyId, PointId};
+use crate::verify::model::system::{BodyId, Point, PointId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::term::letters::Meaning;
@@ -33,7 +33,7 @@ impl Pair {
 
 impl Builder<'_> {
     /// A load of one body on another, the same wherever sentences speak of it. A force acts where it is said to, else at the
-    /// joint of the two, else at the mass centre; the moment is what is left about that point.
+    /// joint of the two, else at a mass centre; the moment is what is left about that point.
     pub(super) fn load_between(&mut self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Load> {
         let pair = self.acting_pair(phrase, on)?;
         let at = match (phrase.head, phrase.slot(Slot::At)) {
@@ -42,10 +42,10 @@ impl Builder<'_> {
             (_, None) => Some(self.joint_of(pair)),
         };
         let called = |pair: Pair| pair.called(phrase.head);
-        if let Some(known) = self.load_called(&called(pair)) {
+        if let Some(known) = self.loads_called(&called(pair)).pop() {
             return (at == known.at).then_some(known);
         }
-        let load = match self.load_called(&called(pair.turned())) {
+        let load = match self.loads_called(&called(pair.turned())).pop() {
             Some(opposite) if opposite.at == at => Load {
                 called: called(pair),
                 value: -opposite.value.clone(),
@@ -54,14 +54,10 @@ impl Builder<'_> {
             Some(_) => return None,
             None => {
                 let text = format!("{}_{{{}{}}}", phrase.head, pair.agent, pair.on);
-                let free = Quantity::Vector {
-                    text,
-                    carried: None,
-                };
                 Load {
                     called: called(pair),
                     at,
-                    value: self.system().value_of(&free).ok()?.to_vector().ok()?,
+                    value: self.free_load(&text, None)?,
                     lasting: Lasting::Always,
                     part: false,
                 }
@@ -146,16 +142,12 @@ impl Builder<'_> {
     ) -> Option<()> {
         let body = self.body_of(premise)?;
         let along = self.direction(premise.slot(Slot::Along)?, declaration, None)?;
-        let about = match premise.slot(Slot::About) {
-            Some(about) => self.point(about)?,
-            None => (0..self.reading.system.points.len())
-                .find(|&point| self.is_fixed_point(point, body))
-                .unwrap_or_else(|| self.centre_of(body)),
-        };
+        let about = self.pivot_of(premise, body)?;
         let mut rest = self.system().total_moment(body, about);
         for load in premise.all(Slot::With) {
-            let Term::Phrase(load) = load else {
-                return None;
+            let load = match load {
+                Term::Phrase(load) if load.head == MOMENT => load,
+                _ => return None,
             };
             // "The moments of the base and of link 2": one of each.
             for agent in load.all(Slot::Of) {
@@ -163,12 +155,8 @@ impl Builder<'_> {
                 let mut slots: Vec<(Slot, Term)> = slots.cloned().collect();
                 slots.push((Slot::Of, agent.clone()));
                 let own = NounPhrase::new(MOMENT, slots);
-                for load in self
-                    .named_load(&own, Some(body))
-                    .filter(|_| load.head == MOMENT)?
-                {
-                    rest -= load.value;
-                }
+                let loads = self.named_load(&own, Some(body))?;
+                rest = loads.iter().fold(rest, |rest, load| rest - &load.value);
             }
         }
         self.hold(rest.dot(&along), declaration);
@@ -210,23 +198,13 @@ impl Builder<'_> {
         (load && agent != on && rigid(agent) && rigid(on)).then_some(Pair { agent, on })
     }
 
-    /// A point that is fixed in both bodies, or the mass centre of the one on which the other acts.
+    /// A point that is fixed in both bodies, or the mass centre of the one that was named first.
     fn joint_of(&self, pair: Pair) -> PointId {
         let system = &self.reading.system;
-        let frame = |body: BodyId| system.bodies[body].frame;
-        let frames: Vec<_> = [frame(pair.agent), frame(pair.on)]
-            .into_iter()
-            .flatten()
-            .collect();
-        let mut points = system.points.iter();
-        let joint = points.position(|p| frames.iter().all(|frame| p.fixed_in.contains(frame)));
-        // Both name one point, whichever of them acts.
-        let (first, _) = (pair.agent.min(pair.on), pair.agent.max(pair.on));
-        joint.unwrap_or(system.bodies[first].centre)
-    }
-
-    fn load_called(&self, called: &Called) -> Option<Load> {
-        let mut loads = self.reading.system.loads.iter();
-        loads.find(|load| load.called == *called).cloned()
+        let frames = [pair.agent, pair.on].map(|body| system.bodies[body].frame);
+        let in_both = |p: &Point| frames.iter().flatten().all(|f| p.fixed_in.contains(f));
+        let joint = system.points.iter().position(in_both);
+        // It is one point, whichever of the two acts.
+        joint.unwrap_or(system.bodies[pair.agent.min(pair.on)].centre)
     }
 }

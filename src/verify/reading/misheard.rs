@@ -3,9 +3,11 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
+    DOWNHILL, MASS, NOTHING, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
 };
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+};
 use crate::verify::language::{is_body, only_names};
 use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::names::node_of;
@@ -57,6 +59,11 @@ fn is_misheard(statement: &Statement) -> bool {
             opposite || is_per_unit(what) || has_reversed(&what.slots)
         }
         Statement::Premise(what) => is_per_unit(what) || has_reversed(&what.slots),
+        // Primes and labels mean nothing by themselves; other signs do by custom.
+        Statement::Notation { sign, meaning } => {
+            let plain = matches!(sign, Sign::Mark("prime") | Sign::Label { .. });
+            *meaning == NotationMeaning::Fixed(NOTHING) && !plain
+        }
         _ => false,
     }
 }

@@ -48,24 +48,27 @@ impl Builder<'_> {
             (None, Some(_)) => self.body_of(phrase)?,
             (None, None) => on.or_else(|| self.body_of(phrase))?,
         };
-        if agent.is_some() && self.is_named_with_point(phrase, body) {
-            return self.loads_of_agent(phrase, body);
+        let told = self.forces_of_agent(phrase, body);
+        if agent.is_some() && !is_force_at(phrase) && !told.is_empty() {
+            let loads = told.into_iter();
+            return loads
+                .map(|letter| self.load(letter, Lasting::Always))
+                .collect();
         }
         let noun = [phrase.adjectives.as_slice(), &[phrase.head]].concat();
         let noun = noun.join(" ") + &agent.map_or_else(String::new, |agent| format!(" of {agent}"));
         let called = Called::Noun(noun, body);
         if self.loads_called(&called).is_empty() {
             if phrase.head == FORCE || FORCES_OF_A_KIND.contains(&phrase.head) {
-                let centre = self.centre_of(body);
-                self.push_named_load(&called, &format!("F_{{{}}}", phrase.head), Some(centre))?;
+                let force = self.free_load(&format!("F_{{{}}}", phrase.head), None)?;
+                self.push_named_load(&called, force, Some(self.centre_of(body)));
             }
             let particle = self.reading.system.bodies[body].frame.is_none();
             if !particle || phrase.head != FORCE {
                 let text = format!("M_{{{}}}", phrase.head);
-                match self.axis_of_moment(phrase, body) {
-                    Some(axis) => self.push_moment_along(&called, &text, &axis)?,
-                    None => self.push_named_load(&called, &text, None)?,
-                }
+                let axis = self.axis_of_moment(phrase, body);
+                let moment = self.free_load(&text, axis)?;
+                self.push_named_load(&called, moment, None);
             }
         }
         Some(self.loads_called(&called))
@@ -92,7 +95,7 @@ impl Builder<'_> {
         (load && (!known || particle)).then(|| name.to_owned())
     }
 
-    fn loads_called(&self, called: &Called) -> Vec<Load> {
+    pub(super) fn loads_called(&self, called: &Called) -> Vec<Load> {
         let loads = self.reading.system.loads.iter();
         loads
             .filter(|load| load.called == *called)
@@ -100,12 +103,25 @@ impl Builder<'_> {
             .collect()
     }
 
-    fn push_named_load(&mut self, called: &Called, text: &str, at: Option<PointId>) -> Option<()> {
-        let quantity = Quantity::Vector {
-            text: text.to_owned(),
-            carried: None,
-        };
-        let value = self.system().value_of(&quantity).ok()?.to_vector().ok()?;
+    /// A force or a moment of which nothing is told, or only along which axis it is.
+    pub(super) fn free_load(&mut self, text: &str, along: Option<Vector>) -> Option<Vector> {
+        let text = text.to_owned();
+        let system = self.system();
+        match along {
+            Some(axis) => {
+                let constant = false;
+                let size = system.value_of(&Quantity::Scalar { text, constant });
+                Some(axis * size.ok()?.to_scalar().ok()?)
+            }
+            None => {
+                let carried = None;
+                let free = system.value_of(&Quantity::Vector { text, carried });
+                free.ok()?.to_vector().ok()
+            }
+        }
+    }
+
+    fn push_named_load(&mut self, called: &Called, value: Vector, at: Option<PointId>) {
         self.system().loads.push(Load {
             called: called.clone(),
             at,
@@ -113,7 +129,6 @@ impl Builder<'_> {
             lasting: Lasting::Always,
             part: false,
         });
-        Some(())
     }
 
     /// The letters of forces that something else exerts on a body at points.
@@ -129,50 +144,21 @@ impl Builder<'_> {
         said.flat_map(|subjects| formulas(subjects)).collect()
     }
 
-    /// Whether a sentence says where the force of something on a body acts, by its letter.
-    fn is_named_with_point(&self, phrase: &NounPhrase, body: BodyId) -> bool {
-        !is_force_at(phrase) && !self.forces_of_agent(phrase, body).is_empty()
-    }
-
-    /// These forces; `None` where one of them is no load by its letter.
-    fn loads_of_agent(&self, phrase: &NounPhrase, body: BodyId) -> Option<Vec<Load>> {
-        let letters = self.forces_of_agent(phrase, body).into_iter();
-        letters
-            .map(|letter| self.load(letter, Lasting::Always))
-            .collect()
-    }
-
     /// "`M` is the moment of the motor on the rotor along z": what no body of the system exerts has no other component.
     fn axis_of_moment(&mut self, phrase: &NounPhrase, on: BodyId) -> Option<Vector> {
         let agent = phrase.slot(Slot::Of).filter(|_| phrase.head == MOMENT)?;
         let declarations = self.declarations;
         declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == MOMENT => {
-                let same = what.slot(Slot::Of) == Some(agent)
-                    && self.body(what.slot(Slot::Upon)?) == Some(on)
-                    && subjects.len() == 1
-                    && may_be_size(&subjects[0], &NounPhrase::new(MOMENT, vec![]));
+                let size = matches!(subjects.as_slice(), [Term::Formula(letter)] if !is_marked_vector(letter));
+                let same = size
+                    && what.slot(Slot::Of) == Some(agent)
+                    && self.body(what.slot(Slot::Upon)?) == Some(on);
                 let along = what.slot(Slot::Along).filter(|_| same)?;
                 self.direction(&along.clone(), d, None)
             }
             _ => None,
         })
-    }
-
-    fn push_moment_along(&mut self, called: &Called, text: &str, axis: &Vector) -> Option<()> {
-        let size = Quantity::Scalar {
-            text: text.to_owned(),
-            constant: false,
-        };
-        let size = self.system().value_of(&size).ok()?.to_scalar().ok()?;
-        self.system().loads.push(Load {
-            called: called.clone(),
-            at: None,
-            value: axis * size,
-            lasting: Lasting::Always,
-            part: false,
-        });
-        Some(())
     }
 
     /// The force of a load that a noun names, or its moment where the noun is of one.

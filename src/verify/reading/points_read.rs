@@ -1,9 +1,7 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
 use crate::algebra::{Fraction, Place};
-use crate::verify::language::statement::{
-    Declaration, Extent, Formula, Slot, Statement, Term, slot,
-};
+use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
@@ -81,13 +79,6 @@ impl Builder<'_> {
                 self.denote(by, Meaning::Quantity(way), declaration);
             }
         }
-    }
-
-    /// Whether a sentence tells what a letter is.
-    fn is_subject(&self, letter: &Formula) -> bool {
-        let own = |term: &Term| matches!(term, Term::Formula(f) if f.source == letter.source);
-        let mut all = self.declarations.iter();
-        all.any(|d| d.statement.subjects().iter().any(own))
     }
 
     /// The mass centre of a body of parts, from those of the parts: Σ m r over Σ m.

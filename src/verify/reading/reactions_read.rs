@@ -385,7 +385,8 @@ fn reaction_said(what: &NounPhrase) -> Option<NounPhrase> {
     Some(friction)
 }
 
-fn same_letter(one: &Formula, other: &Formula) -> bool {
+/// Whether two formulas write one letter.
+pub(super) fn same_letter(one: &Formula, other: &Formula) -> bool {
     match (node_of(one), node_of(other)) {
         (Some(one), Some(other)) => spelled(one) == spelled(other),
         _ => false,

@@ -54,7 +54,7 @@ impl Builder<'_> {
             let Statement::Is { what, .. } = &declaration.statement else {
                 continue;
             };
-            if what.head == REFERENCE && self.is_lone_reference(what, declaration).is_none() {
+            if what.head == REFERENCE && self.hold_lone_reference(what, declaration).is_none() {
                 self.say_unused(declaration);
             }
             if what.head == DISTURBANCE
@@ -67,7 +67,7 @@ impl Builder<'_> {
     }
 
     /// A reference value without a letter for the disturbance is what the whole is where nothing is disturbed.
-    fn is_lone_reference(&mut self, what: &NounPhrase, declaration: &Declaration) -> Option<()> {
+    fn hold_lone_reference(&mut self, what: &NounPhrase, declaration: &Declaration) -> Option<()> {
         let of = self.of_letter(what)?;
         if self.letter_said(DISTURBANCE, &of).is_some() {
             return Some(());
@@ -259,7 +259,7 @@ impl Builder<'_> {
         if small.is_empty() {
             return None;
         }
-        let references = self.variables_said(REFERENCE);
+        let references = self.variables_said(REFERENCE, |_, _| true);
         let mut whole = true;
         for premise in self.reading.premises.clone() {
             let atoms = &mut self.reading.system.atoms;
@@ -282,33 +282,27 @@ impl Builder<'_> {
         whole.then_some(())
     }
 
-    /// The variables of the letters that sentences say to be something.
-    fn variables_said(&mut self, noun: &str) -> Vec<Variable> {
-        let said = self.declarations.iter().filter_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == noun => Some((subjects, d)),
-            _ => None,
-        });
-        let letters: Vec<_> = said
-            .flat_map(|(subjects, d)| formulas(subjects).map(move |letter| (letter, d)))
-            .collect();
-        let values = letters
-            .into_iter()
-            .filter_map(|(letter, d)| self.mentioned_value(letter, d));
-        let entries: Vec<Fraction> = values.flat_map(|value| value.entries).collect();
-        entries.iter().flat_map(Fraction::variables).collect()
-    }
-
     /// The variables that sentences say to be small disturbances.
     fn disturbances(&mut self) -> Vec<Variable> {
+        // What has no reference value of its own is small by the others.
+        self.variables_said(DISTURBANCE, |builder, what| {
+            let of = builder.of_letter(what);
+            of.is_none_or(|of| builder.letter_said(REFERENCE, &of).is_some())
+        })
+    }
+
+    /// The variables of the letters that sentences say to be something, where it fits.
+    fn variables_said(
+        &mut self,
+        noun: &str,
+        fits: impl Fn(&Self, &NounPhrase) -> bool,
+    ) -> Vec<Variable> {
         let mut variables = vec![];
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            let of = self.of_letter(what).filter(|_| what.head == DISTURBANCE);
-            // What has no reference value of its own is small by the others.
-            let own = of.is_none_or(|of| self.letter_said(REFERENCE, &of).is_some());
-            if what.head != DISTURBANCE || !own {
+            if what.head != noun || !fits(self, what) {
                 continue;
             }
             for formula in formulas(subjects) {

@@ -55,13 +55,7 @@ impl Builder<'_> {
             _ => false,
         });
         let of = self.body(upon).filter(|_| driven)?;
-        let about = match phrase.slot(Slot::About) {
-            Some(about) => self.point(about)?,
-            // About a point that is fixed in space the body turns.
-            None => (0..self.reading.system.points.len())
-                .find(|&point| self.is_fixed_point(point, of))
-                .unwrap_or_else(|| self.centre_of(of)),
-        };
+        let about = self.pivot_of(phrase, of)?;
         Some(Quantity::Moment { of, about })
     }
 

@@ -353,7 +353,8 @@ impl<'a> Judge<'a> {
     /// One verdict from what the links came to: the worst of them.
     fn conclude(&mut self, line: &Line, head: Span, purpose: Purpose, held: Vec<Held>) {
         let derived = purpose.derived || self.unused_of(&line.sides).is_some();
-        let chooses = self.chooses_direction(line);
+        let denied = held.iter().any(|h| h.standing == Standing::Denied);
+        let chooses = denied && self.chooses_direction(line);
         let standing = |h: &Held| match (h.standing, purpose.role) {
             // What an author declares to be a definition is assumed: it may fix what sentences leave free.
             (Standing::Denied, Role::Define) if purpose.declared && !h.sides.is_empty() => {

@@ -89,17 +89,13 @@ impl Judge<'_> {
         if instant.is_some() || elsewhere || says_no_more {
             return Answer::Accepted;
         }
-        let before = (self.facts.clone(), self.reading.settled.len());
+        let before = self.reading.settled.len();
         for (left, right) in &held.sides {
             let equation = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;
             match self.facts.extend(atoms, &equation, source) {
                 Ok(Extended::Contradicts) => {
-                    // What is refuted tells nothing, in no component.
-                    let (facts, settled) = before;
-                    self.facts = facts;
-                    self.reading.settled.truncate(settled);
-                    self.settled_taken.retain(|taken| *taken < settled);
+                    self.take_back(before);
                     return Answer::Refuted;
                 }
                 Ok(Extended::Follows) => continue,
@@ -119,5 +115,17 @@ impl Judge<'_> {
             });
         }
         Answer::Accepted
+    }
+
+    /// What is refuted tells nothing, in no component: takes back what was accepted behind a number of premises.
+    fn take_back(&mut self, before: usize) {
+        if self.reading.settled.len() == before {
+            return;
+        }
+        self.reading.settled.truncate(before);
+        self.settled_taken.retain(|taken| *taken < before);
+        let kept = self.premises();
+        self.facts = Facts::default();
+        self.facts.extend_all(&mut self.reading.system.atoms, kept);
     }
 }

@@ -16,12 +16,10 @@ const WORKERS: [&str; 3] = ["i", "we", "you"];
 
 /// Whether the words before a formula in running text make it one of a case.
 fn is_conditional(sentence: &str) -> bool {
-    let words = sentence.split(|c: char| !c.is_alphabetic());
-    let words: Vec<String> = words.map(str::to_lowercase).collect();
-    let case = |pair: &[String]| {
-        CONDITIONS.contains(&pair[0].as_str()) && !WORKERS.contains(&pair[1].as_str())
-    };
-    words.windows(2).any(case)
+    let words = || sentence.split(|c: char| !c.is_alphabetic());
+    let one_of = |words: &[&str], word: &str| words.iter().any(|w| w.eq_ignore_ascii_case(word));
+    let mut pairs = words().zip(words().skip(1));
+    pairs.any(|(word, next)| one_of(&CONDITIONS, word) && !one_of(&WORKERS, next))
 }
 
 impl Judge<'_> {

@@ -198,3 +198,21 @@ $$ q = l a $$
 ";
     assert_eq!(judged(sentences, text), "pppr");
 }
+
+#[test]
+fn what_a_frame_turns_about_has_the_length_one() {
+    let sentences = r"N is an inertial frame.
+$x$, $y$, $z$ are the axes of N.
+B is a frame fixed in the body.
+B turns relative to N about $\cos\beta\,x+\sin\beta\,y$ at the rate $w$.
+A is a frame that turns relative to N.
+A turns relative to N about $c x$ at the rate $u$.
+$\omega$ is the angular velocity of B relative to N.
+$\alpha$ is the angular velocity of A relative to N.
+";
+    let text = r"
+$$ \omega = w(\cos\beta\,x+\sin\beta\,y) $$
+$$ \alpha = u c x $$
+";
+    assert_eq!(judged(sentences, text), "pu");
+}
