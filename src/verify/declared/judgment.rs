@@ -14,6 +14,7 @@ use crate::verify::model::atoms::{Atoms, dotted};
 use crate::verify::reading::builder::place_in;
 use crate::verify::reading::{LineRole, Reading};
 use crate::verify::standing::extents::located;
+use crate::verify::standing::given_lines::with_given_lines;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::parts::{Part, is_of_one_system, parts};
 use crate::verify::standing::prepared::Prepared;
@@ -50,7 +51,7 @@ pub(super) fn judgments<'a>(
     roles: impl Iterator<Item = LineRole> + Clone,
 ) -> Vec<Judgment<'a>> {
     let mut first = 0;
-    let declarations = located(document, declarations);
+    let declarations = with_given_lines(document, located(document, declarations));
     let judged = parts(document, &declarations).into_iter().map(|part| {
         let mut judge = Judge::new(document, part, first);
         judge.reading.roles.extend(roles.clone());

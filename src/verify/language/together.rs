@@ -2,8 +2,8 @@
 //! are parts.
 
 use super::heads::{
-    ANGULAR_MOMENTUM, INERTIA_TENSOR, KINETIC_ENERGY, MASS, MOMENT_OF_INERTIA, MOMENTUM,
-    POTENTIAL_ENERGY, TOTAL_ENERGY,
+    ANGULAR_MOMENTUM, INERTIA_TENSOR, KINETIC_ENERGY, MASS, MASS_CENTRE, MOMENT_OF_INERTIA,
+    MOMENTUM, POTENTIAL_ENERGY, TOTAL_ENERGY,
 };
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
@@ -19,12 +19,13 @@ const OF_WHOLES: [&str; 10] = [
     POTENTIAL_ENERGY,
     TOTAL_ENERGY,
     "Lagrangian",
-    "mass centre",
+    MASS_CENTRE,
 ];
 
 /// Names the bodies of which sentences speak together.
 pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
     name_parts(declarations);
+    *declarations = declarations.drain(..).flat_map(of_each_centre).collect();
     let mut joined: Vec<Declaration> = vec![];
     let things: Vec<(String, &'static str)> = things(declarations);
     for declaration in declarations.iter_mut() {
@@ -50,6 +51,36 @@ pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(joined);
+}
+
+/// "G is the mass centre of the hub and of the wheel", with the "of" said again: of each of them.
+fn of_each_centre(declaration: Declaration) -> Vec<Declaration> {
+    let of_each = |part: &(Slot, Term)| match &declaration.statement {
+        Statement::Is { subjects, what } => Some(Statement::Is {
+            subjects: subjects.clone(),
+            what: NounPhrase {
+                slots: vec![part.clone()],
+                ..what.clone()
+            },
+        }),
+        _ => None,
+    };
+    let each: Vec<Declaration> = match &declaration.statement {
+        Statement::Is { subjects, what }
+            if what.head == MASS_CENTRE
+                && subjects.len() == 1
+                && what.slots.iter().all(|(slot, _)| *slot == Slot::Of)
+                && declaration.text.contains(" and of ") =>
+        {
+            let said = what.slots.iter().filter_map(of_each);
+            said.map(|said| declaration.saying(said)).collect()
+        }
+        _ => vec![],
+    };
+    match each.len() {
+        0 | 1 => vec![declaration],
+        _ => each,
+    }
 }
 
 /// "The rotor consists of `$P_1$` and `$P_2$`": these are names. Which of them an index numbers is not worked with.

@@ -9,6 +9,8 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use num_traits::Zero;
 
+/// A box without thickness.
+const PLATE: &str = "plate";
 /// What may be said of a box or a plate without making it another one.
 const PLAIN: [&str; 7] = [
     "uniform",
@@ -29,6 +31,25 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let frame = self.reading.system.bodies[body].frame?;
+        let sides = self.sides_in_order(body, what, declaration)?;
+        let mass = self.reading.system.bodies[body].mass.clone();
+        let pi = self.system().atoms.pi();
+        let moments = mechanics::Shape::by_name("box")?.moments(&mass, &sides, &pi)?;
+        let work = self.reading.system.work;
+        let turn = self.system().rotation(work, frame);
+        let tensor = mechanics::inertia_in_axes(&turn, &moments.central_inertia());
+        self.reading.system.bodies[body].inertia = Some(tensor);
+        Some(())
+    }
+
+    /// The sides of a box along the axes of its frame; of a plate the one along its normal is zero.
+    pub(super) fn sides_in_order(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Vec<Fraction>> {
+        let frame = self.reading.system.bodies[body].frame?;
         let mass_alone = what.slots.iter().all(|(slot, term)| match (slot, term) {
             (Slot::Of, Term::Phrase(size)) => size.head == MASS,
             _ => false,
@@ -43,19 +64,11 @@ impl Builder<'_> {
             }
         }
         // A plate has no thickness.
-        if what.head == "plate" && sides.iter().flatten().count() == 2 {
+        if what.head == PLATE && sides.iter().flatten().count() == 2 {
             let normal = sides.iter().position(Option::is_none)?;
             sides[normal] = Some(Fraction::zero());
         }
-        let sides: Vec<Fraction> = sides.into_iter().collect::<Option<_>>()?;
-        let mass = self.reading.system.bodies[body].mass.clone();
-        let pi = self.system().atoms.pi();
-        let moments = mechanics::Shape::by_name("box")?.moments(&mass, &sides, &pi)?;
-        let work = self.reading.system.work;
-        let turn = self.system().rotation(work, frame);
-        let tensor = mechanics::inertia_in_axes(&turn, &moments.central_inertia());
-        self.reading.system.bodies[body].inertia = Some(tensor);
-        Some(())
+        sides.into_iter().collect()
     }
 
     /// The sides of a body by the axes of its frame: "`$a$`, `$b$`, `$c$` are the sides of the block along x, y, z".

@@ -1,15 +1,16 @@
 //! What does not change: letters, quantities, gravity.
 
 use crate::verify::language::heads::OF_BEARINGS;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{is_marked_vector, tells_gravity};
+use crate::verify::reading::names::{is_marked_vector, node_of, tells_gravity};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
-    /// Letters of their own that do not change; of a quantity the rate vanishes.
     /// "The kinetic energy of P is constant": its rate vanishes.
     fn hold_constant(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<()> {
         let quantity = self.quantity(phrase, declaration)?;
@@ -19,6 +20,7 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// Letters of their own that do not change; of a quantity the rate vanishes.
     pub(super) fn read_constants(&mut self, subjects: &[Term], declaration: &Declaration) {
         for subject in subjects {
             if let Term::Phrase(phrase) = subject
@@ -44,9 +46,29 @@ impl Builder<'_> {
                     }
                 }
                 (None, Some(_)) => {}
-                (None, None) => {
-                    self.denote_number(formula, declaration);
-                }
+                (None, None) => self.read_constant_letter(formula, declaration),
+            }
+        }
+    }
+
+    /// A letter that nothing else tells is a constant of its own; one that a line defines only does not change here.
+    fn read_constant_letter(&mut self, formula: &Formula, declaration: &Declaration) {
+        if !node_of(formula).is_some_and(|node| self.has_defined_by_line(node)) {
+            self.denote_number(formula, declaration);
+            return;
+        }
+        let quantity = Quantity::Scalar {
+            text: formula.source.clone(),
+            constant: false,
+        };
+        let everywhere = Declaration {
+            extent: Extent::Document,
+            ..declaration.clone()
+        };
+        self.denote(formula, Meaning::Quantity(quantity), &everywhere);
+        if let Some(value) = self.mentioned_value(formula, declaration) {
+            for rate in self.rates_of_constant(formula, &value) {
+                self.hold(rate, declaration);
             }
         }
     }

@@ -2,7 +2,9 @@
 
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::notation::document::Row;
-use crate::verify::language::statement::{Declaration, DeclaredRole, Formula, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, DeclaredRole, Extent, Formula, Statement, Term,
+};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::node_of;
 use crate::verify::reading::reactions_read::same_letter;
@@ -10,7 +12,7 @@ use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
 /// The letter that a formula may define, and what it may be.
-pub(super) fn definition_in(formula: &Formula) -> Option<(&Node, &Node)> {
+pub(crate) fn definition_in(formula: &Formula) -> Option<(&Node, &Node)> {
     let Row::Line(Line {
         sides, relations, ..
     }) = &formula.row
@@ -37,7 +39,7 @@ pub(super) fn defined_as(letter: &Formula, statement: &Statement) -> Option<Form
 }
 
 /// Whether a term is a letter, by its writing.
-pub(super) fn is_written_as(term: &Term, letter: &Formula) -> bool {
+pub(crate) fn is_written_as(term: &Term, letter: &Formula) -> bool {
     matches!(term, Term::Formula(own) if same_letter(own, letter))
 }
 
@@ -46,8 +48,8 @@ fn stands_in(node: &Node, writing: &str) -> bool {
 }
 
 impl Builder<'_> {
-    /// A letter that no other sentence tells is the vector or the matrix to which a formula sets it. That a number is equal
-    /// to another is a premise.
+    /// A letter that no other sentence tells is the number, the vector or the matrix to which a formula sets it. Where it
+    /// does so in a part of the document only, a number is another one elsewhere, and that they are equal is a premise.
     pub(super) fn read_definition(&mut self, formula: &Formula, declaration: &Declaration) {
         let Some((left, right)) = definition_in(formula) else {
             return;
@@ -56,8 +58,9 @@ impl Builder<'_> {
         if self.is_subject(&letter) || self.quantity_of(&letter, declaration).is_some() {
             return;
         }
+        let everywhere = declaration.extent == Extent::Document;
         let value = self.mentioned_value(&Formula::of(right), declaration);
-        let Some(value) = value.filter(|value| !value.is_scalar()) else {
+        let Some(value) = value.filter(|value| everywhere || !value.is_scalar()) else {
             return;
         };
         self.reading.system.trust(&value);

@@ -1,12 +1,15 @@
 //! The density of a body, and the mass and volume of its elements.
 
 use crate::algebra::Place;
+use crate::verify::language::heads::PER_UNIT;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Key, Motion, fraction};
-use crate::verify::model::system::ELEMENT;
+use crate::verify::model::system::{BodyId, ELEMENT};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{index_letter, name_of};
+use crate::verify::reading::shapes_read::SHAPES;
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 
 impl Builder<'_> {
     /// "the volume of element `dm`".
@@ -26,6 +29,13 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
+        let of = phrase.slot(Slot::Of)?;
+        // That of a plate is by its area, that of a rod by its length: which one the shape tells.
+        if let Some(body) = self.body(of)
+            && let Some((shape, told)) = self.said_to_be(body, &SHAPES)
+        {
+            return self.density_of_shape(body, phrase, shape, told);
+        }
         let family = *self.families.get(ELEMENT)?;
         let Statement::Is { subjects, .. } = &declaration.statement else {
             return None;
@@ -33,16 +43,11 @@ impl Builder<'_> {
         let [Term::Formula(letter)] = subjects.as_slice() else {
             return None;
         };
-        let of = phrase.slot(Slot::Of)?;
         let body = match of {
             Term::Member { .. } => self.reading.system.families[family].body,
             body => self.body(body),
         };
         if body.is_none() || self.reading.system.families[family].body != body {
-            return None;
-        }
-        // That of a plate is by its area, that of a rod by its length: which one the shape tells, and is not worked with.
-        if self.has_shape(of) {
             return None;
         }
         let index = self.reading.system.families[family]
@@ -59,15 +64,25 @@ impl Builder<'_> {
         Some(Quantity::Density(family, index))
     }
 
-    fn has_shape(&self, thing: &Term) -> bool {
-        let name = name_of(thing);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                let mut named = subjects.iter().map(name_of);
-                self.is_shape(what.head) && named.any(|own| own.is_some() && own == name)
-            }
+    /// The mass of a uniform body by its length, area or volume.
+    fn density_of_shape(
+        &mut self,
+        body: BodyId,
+        phrase: &NounPhrase,
+        shape: &NounPhrase,
+        told: &Declaration,
+    ) -> Option<Quantity> {
+        if !shape.is("uniform") {
+            return None;
+        }
+        let (content, dimension) = self.content_of_shape(body, shape, told)?;
+        let unit = dimension.checked_sub(1).map(usize::from)?;
+        let said = phrase.all(Slot::With).all(|term| match term {
+            Term::Phrase(per) => PER_UNIT.get(unit) == Some(&per.head),
             _ => false,
-        })
+        });
+        let density = self.reading.system.bodies[body].mass.clone() / content;
+        said.then_some(Quantity::Known(Value::scalar(density)))
     }
 
     /// Whether a body is said to be uniform, or a letter to be constant.
@@ -82,4 +97,10 @@ impl Builder<'_> {
             _ => false,
         })
     }
+}
+
+/// "per unit length"
+pub(super) fn is_per_unit(phrase: &NounPhrase) -> bool {
+    let of_unit = |term: &Term| matches!(term, Term::Phrase(unit) if PER_UNIT.contains(&unit.head));
+    phrase.all(Slot::With).any(of_unit)
 }

@@ -3,13 +3,14 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, NOTHING, PER_UNIT, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
+    DOWNHILL, MASS, NOTHING, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
 };
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::language::{is_body, only_names};
 use crate::verify::reading::corners_read::CORNER;
+use crate::verify::reading::densities_read::is_per_unit;
 use crate::verify::reading::names::node_of;
 
 /// Verbs of motions, whose adverbs say how.
@@ -56,9 +57,11 @@ fn is_misheard(statement: &Statement) -> bool {
             }
             let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
             let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
-            opposite || is_per_unit(what) || has_reversed(&what.slots)
+            opposite || (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
         }
-        Statement::Premise(what) => is_per_unit(what) || has_reversed(&what.slots),
+        Statement::Premise(what) => {
+            (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
+        }
         // Primes and labels mean nothing by themselves; other signs do by custom.
         Statement::Notation { sign, meaning } => {
             let plain = matches!(sign, Sign::Mark("prime") | Sign::Label { .. });
@@ -94,12 +97,6 @@ fn is_said_twice(slots: &[(Slot, Term)], several: usize) -> bool {
     };
     let mut said = ONCE.iter().map(said);
     said.any(|times| times > 1 && times != several)
-}
-
-/// Of a density alone "per unit mass" is understood.
-fn is_per_unit(what: &NounPhrase) -> bool {
-    let of_unit = |term: &Term| matches!(term, Term::Phrase(unit) if PER_UNIT.contains(&unit.head));
-    what.head != MASS && what.all(Slot::With).any(of_unit)
 }
 
 /// "a hub with a wheel"

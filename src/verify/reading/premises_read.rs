@@ -287,6 +287,9 @@ impl Builder<'_> {
                 .flatten()
                 .for_each(|value| system.trust(value));
         }
+        if values.iter().any(Option::is_none) {
+            self.say_unused(declaration);
+        }
         for pair in values.windows(2) {
             if let [Some(left), Some(right)] = pair {
                 self.hold_equal(&left.clone(), &right.clone(), declaration);

@@ -2,7 +2,7 @@
 
 use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
-    KINETIC_ENERGY, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX,
+    KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX,
     SCALAR_PART, SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
@@ -10,6 +10,7 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::densities_read::is_per_unit;
 use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::inertial;
 use crate::verify::reading::named_loads_read::names_load;
@@ -113,7 +114,9 @@ impl Builder<'_> {
                 self.part_of_quaternion(phrase, declaration)?
             }
             "identity matrix" => Quantity::Identity,
-            "mass" => Quantity::Mass(self.whole_of(phrase)?),
+            // "the mass of the rod per unit length"
+            MASS if is_per_unit(phrase) => self.density(phrase, declaration)?,
+            MASS => Quantity::Mass(self.whole_of(phrase)?),
             "volume" => self.volume(phrase)?,
             DENSITY => self.density(phrase, declaration)?,
             _ => return self.dynamic_quantity(phrase, declaration, relative),

@@ -10,11 +10,28 @@ use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::name_of;
 use crate::verify::reading::sizes_read::is_size;
+use num_traits::{One, Zero};
 use std::collections::BTreeSet;
 
 /// What may be said of a uniform shape without making it another one.
 const PLAIN: [&str; 8] = [
     "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
+];
+/// The nouns of shapes with sizes.
+pub(super) const SHAPES: [&str; 13] = [
+    "disc",
+    "rod",
+    "ring",
+    "cylinder",
+    "tube",
+    "sphere",
+    "shell",
+    "cone",
+    "box",
+    "cube",
+    "plate",
+    "ellipsoid",
+    "triangle",
 ];
 /// A shape that has ends.
 pub(super) const ROD: &str = "rod";
@@ -29,21 +46,6 @@ const RADIUS: &str = "radius";
 impl<'a> Builder<'a> {
     /// Whether a noun is that of a shape with sizes.
     pub(super) fn is_shape(&self, head: &str) -> bool {
-        const SHAPES: [&str; 13] = [
-            "disc",
-            "rod",
-            "ring",
-            "cylinder",
-            "tube",
-            "sphere",
-            "shell",
-            "cone",
-            "box",
-            "cube",
-            "plate",
-            "ellipsoid",
-            "triangle",
-        ];
         SHAPES.contains(&head)
     }
 
@@ -145,14 +147,7 @@ impl<'a> Builder<'a> {
         if untold || !is_plain_shape(what, shape.sizes()) {
             return None;
         }
-        let mut sizes: Vec<Fraction> = vec![];
-        for wanted in shape.sizes() {
-            if wanted.count != 1 {
-                return None;
-            }
-            let size = self.size_of_shape(body, what, wanted.name, declaration)?;
-            sizes.push(size);
-        }
+        let sizes = self.sizes_of_shape(body, shape, what, declaration)?;
         let mass = self.reading.system.bodies[body].mass.clone();
         let pi = self.system().atoms.pi();
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
@@ -183,6 +178,46 @@ impl<'a> Builder<'a> {
         let tensor = self.tensor_on_work_frame(body, &tensor, axis)?;
         self.reading.system.bodies[body].inertia = Some(tensor);
         Some(())
+    }
+
+    fn sizes_of_shape(
+        &mut self,
+        body: BodyId,
+        shape: mechanics::Shape,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Vec<Fraction>> {
+        let single = |wanted: &mechanics::Size| (wanted.count == 1).then_some(wanted.name);
+        let sizes = shape.sizes().iter();
+        sizes
+            .map(|wanted| self.size_of_shape(body, what, single(wanted)?, declaration))
+            .collect()
+    }
+
+    /// The length, the area or the volume of a body by its shape, and which of them it is: 1, 2 or 3.
+    pub(super) fn content_of_shape(
+        &mut self,
+        body: BodyId,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<(Fraction, u8)> {
+        if SIDED.contains(&what.head) {
+            let sides = self.sides_in_order(body, what, declaration)?;
+            let long = sides.into_iter().filter(|side| !side.is_zero());
+            let (mut content, mut dimension) = (Fraction::one(), 0);
+            for side in long {
+                content = content * side;
+                dimension += 1;
+            }
+            return Some((content, dimension));
+        }
+        let shape = mechanics::Shape::by_name(what.head)?;
+        if !is_plain_shape(what, shape.sizes()) {
+            return None;
+        }
+        let sizes = self.sizes_of_shape(body, shape, what, declaration)?;
+        let pi = self.system().atoms.pi();
+        Some((shape.content(&sizes, &pi)?, shape.dimension()))
     }
 
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
@@ -319,7 +354,7 @@ impl<'a> Builder<'a> {
         let frame = self.reading.system.bodies[body].frame?;
         let work = self.reading.system.work;
         let (across, along) = (tensor[(0, 0)].clone(), tensor[(2, 2)].clone());
-        let zero = |r: usize, c: usize| num_traits::Zero::is_zero(&tensor[(r, c)]);
+        let zero = |r: usize, c: usize| tensor[(r, c)].is_zero();
         if across == tensor[(1, 1)] && zero(0, 1) && zero(0, 2) && zero(1, 2) {
             let axis = self.system().axis(frame, axis);
             return Some(mechanics::symmetric_inertia(&across, &along, &axis));

@@ -12,12 +12,13 @@ impl Lowering<'_> {
             return None;
         }
         let is_letter = |exact: &str| self.letters.letters.iter().any(|l| l.spelled == exact);
+        let (exact, loose) = (spelled(node), loosely(node));
         if let Some((rate, letter)) = rate_of_power(node)
             && is_letter(&letter)
+            && !is_letter(&exact)
         {
             return Some(self.deeper(|lowering| lowering.value(&rate)));
         }
-        let (exact, loose) = (spelled(node), loosely(node));
         let grouped = matches!(node.kind, Kind::Group(..));
         let number = match is_letter(&exact) && !grouped {
             true => self.count(&exact),

@@ -1,6 +1,6 @@
 //! Derivatives in time and in other things.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Place, Variable};
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Node};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
@@ -9,6 +9,7 @@ use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
 /// Why a partial derivative is not worked out.
+const DRIVEN: &str = "a partial derivative of an acceleration or a load";
 const NOT_FREE: &str = "a partial derivative in something that is no free variable";
 
 impl Lowering<'_> {
@@ -145,6 +146,11 @@ impl Lowering<'_> {
         Ok(vec![])
     }
 
+    /// Whether the equations of motion tell a variable by where and how fast things are: an acceleration, a load.
+    fn is_driven(&self, variable: Variable) -> bool {
+        self.system.atoms.atom(variable).place == Place::Acceleration
+    }
+
     /// ∂f/∂x, with everything that laws tell put in and all other free variables, or arguments, held fixed.
     fn partial(&mut self, value: &Value, by: &Value) -> Valued {
         let kept = self.arguments_with(by)?;
@@ -169,6 +175,11 @@ impl Lowering<'_> {
                 };
                 if self.system.atoms.is_unknown(variable) {
                     return beyond(NOT_FREE);
+                }
+                if !self.is_driven(variable)
+                    && entry.variables().into_iter().any(|v| self.is_driven(v))
+                {
+                    return beyond(DRIVEN);
                 }
                 entries.push(self.system.partial(entry, variable));
             }
