@@ -49,5 +49,5 @@ pub(crate) use standing::memory::Wording;
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,
-    Report, Role, Summary, Unused, Verdict,
+    Report, Role, Summary, Unused, Verdict, Wants,
 };

@@ -6,7 +6,7 @@ use crate::notation::document::Document;
 use crate::notation::sentences;
 use crate::report::{Checked, Failure, terminal};
 use crate::source::Source;
-use crate::verify::{Declared, Misunderstood, Sheet, Unused};
+use crate::verify::{Declared, Misunderstood, Sheet, Unused, Wants};
 use anstream::ColorChoice;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -70,18 +70,31 @@ fn of(wrong: &Misunderstood, path: &str) -> Failure {
 }
 
 /// What is wrong with a sentence of which nothing was made, and what to do.
-fn about(unused: &Unused) -> (String, &'static str) {
+fn about(unused: &Unused) -> (String, String) {
     let sentence = &unused.sentence;
-    match unused.beyond {
-        true => (
+    if unused.beyond {
+        return (
             format!("the model grows too large with the sentence \"{sentence}\""),
-            "leave out what the document does not need, or say by which angles about which axes the frames turn",
-        ),
-        false => (
-            format!("nothing was made of the sentence \"{sentence}\""),
-            "say it in another way, or leave it out; polhode help language",
-        ),
+            "leave out what the document does not need, or say by which angles about which axes the frames turn".into(),
+        );
     }
+    let help = match &unused.wants {
+        Some(Wants::Name(name)) => {
+            format!("no sentence says what `{name}` is: add one, such as \"{name} is a point fixed in B.\"")
+        }
+        Some(Wants::Sentence(other)) => format!("it waits for another sentence of which nothing was made: \"{other}\""),
+        Some(Wants::Alone(other)) => {
+            format!("another sentence tells of the same letter: \"{other}\"; leave one of them out, or say how the two go together")
+        }
+        Some(Wants::Direction(shape)) => format!(
+            "say the sizes of the {shape}, and along which axis of its frame it lies: \"$z$ is the axis of the {shape}.\""
+        ),
+        None => "this isn't worked with yet: say it in another way; leave it out only if no line needs it; polhode help language".into(),
+    };
+    (
+        format!("nothing was made of the sentence \"{sentence}\""),
+        help,
+    )
 }
 
 /// Warns of sentences of which nothing was made: at their place in the document, or at once for those of a sheet.
@@ -99,7 +112,7 @@ pub(super) fn warn_of_unused(
         said.push(&unused.sentence);
         let (sheet, span) = declared.place(&unused.sentence).unwrap_or_default();
         let (message, help) = about(unused);
-        let diagnostic = Diagnostic::warning("unused-sentence", span, message).help(help);
+        let diagnostic = Diagnostic::warning("unused-sentence", span, message).help(&help);
         match sheet.and_then(|number| sheets.get(number)) {
             Some(sheet) => output::say(&terminal::diagnostics(&sheet.source, &[diagnostic]), color),
             None => checked.diagnostics.push(diagnostic),

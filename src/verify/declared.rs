@@ -89,13 +89,12 @@ fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) 
 fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
     let mut found: Vec<Unused> = vec![];
     let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);
+    // What one part of a document has no use for another may need.
     let in_each = |sentence: &str| {
-        judgments.iter().all(|own| {
-            own.judge
-                .reading
-                .unused
-                .iter()
-                .any(|u| u.sentence == sentence)
+        let mut all = judgments.iter().filter(|own| own.judge.is_told(sentence));
+        all.all(|own| {
+            let mut unused = own.judge.reading.unused.iter();
+            unused.any(|u| u.sentence == sentence)
         })
     };
     for unused in each.filter(|unused| unused.understood && in_each(&unused.sentence)) {
@@ -105,6 +104,7 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
             found.push(Unused {
                 sentence: unused.sentence.clone(),
                 beyond: unused.beyond,
+                wants: unused.wants.clone(),
             });
         }
     }

@@ -37,6 +37,7 @@ mod introduce;
 mod kept;
 mod kinds;
 mod lexicon;
+mod listed;
 mod manual;
 mod members;
 pub(crate) mod messages;

@@ -73,6 +73,7 @@ pub(crate) mod turns_read;
 pub(crate) mod unused;
 pub(crate) mod unused_read;
 pub(crate) mod vectors_read;
+mod wants;
 pub(crate) mod wheels_read;
 pub(crate) mod wholes;
 pub(crate) mod work_frame;

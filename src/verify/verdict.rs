@@ -239,6 +239,21 @@ pub struct Unused {
     pub sentence: String,
     /// Whether the model would grow larger with it than what is worked out.
     pub beyond: bool,
+    /// What would help, where that is known.
+    pub wants: Option<Wants>,
+}
+
+/// What a sentence waits for of which nothing was made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wants {
+    /// A sentence that says what has this name.
+    Name(String),
+    /// That something is made of this sentence.
+    Sentence(String),
+    /// That this sentence, which tells of the same letter, is taken out or agrees.
+    Alone(String),
+    /// The axis along which a shape lies, and its sizes: its noun.
+    Direction(String),
 }
 
 /// The sign convention for products of inertia.

@@ -114,12 +114,17 @@ impl Parser<'_, '_> {
         Some((operator, span))
     }
 
-    /// `\vec a.\vec b`: whether a full stop stands close between what is no number and a marked letter.
+    /// `\vec a.\vec b`, `\vec a.(\vec b+\vec c)`: whether a full stop stands close between what is no number and a marked
+    /// letter, or one in parentheses.
     fn point_joins(&self) -> bool {
         let kind = |at: usize| self.tokens.get(at).map(|token| token.kind);
         let before = self.at.checked_sub(1).and_then(kind);
         let number = matches!(before, None | Some(Lexeme::Number(_) | Lexeme::Space(_)));
         let next = kind(self.at + 1);
+        let next = match next {
+            Some(Lexeme::Char('(')) => kind(self.at + 2),
+            next => next,
+        };
         !number && matches!(next, Some(Lexeme::Command(name)) if self.command_starts_factor(name))
     }
 

@@ -98,6 +98,7 @@ pub(crate) fn build(
     builder.say_unheard();
     builder.widen_unused();
     builder.connect_unused(&conditional);
+    builder.say_what_unused_want();
     builder.reading
 }
 

@@ -1,13 +1,14 @@
 //! Loads that sentences name, and what it says that there are no others.
 
 use crate::algebra::Place;
+use crate::notation::ast::Kind;
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{is_letter, node_of};
+use crate::verify::reading::names::{is_letter, name_of, node_of};
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -137,6 +138,10 @@ impl Builder<'_> {
             Some(term) => Some(self.point(term)?),
             None => None,
         };
+        // One of many: how many there are no sentence says.
+        if self.is_numbered(letter) {
+            return None;
+        }
         if let Some(known) = self.load(letter, lasting_of(head))
             && known.at == at
         {
@@ -159,6 +164,22 @@ impl Builder<'_> {
         let value = self.value_of_load(&acting, declaration)?;
         self.push_load(&acting, value);
         Some(())
+    }
+
+    /// "`$F_i$`", where `$i$` numbers things.
+    fn is_numbered(&self, letter: &Formula) -> bool {
+        let numbers = self
+            .declarations
+            .iter()
+            .filter_map(|d| d.statement.does("number"));
+        let mut numbers = numbers
+            .flat_map(|(subjects, _)| subjects)
+            .filter_map(name_of);
+        let symbol = node_of(letter).map(|node| &node.kind);
+        let Some(Kind::Symbol(symbol)) = symbol else {
+            return false;
+        };
+        numbers.any(|index| symbol.subscripts.contains(&index))
     }
 
     fn push_load(&mut self, acting: &Acting<'_>, value: Vector) {

@@ -36,6 +36,12 @@ fn is_misheard(statement: &Statement) -> bool {
         return true;
     }
     match statement {
+        // A formula that cannot be read says nothing of what it is to explain.
+        Statement::Means { meaning, .. } => node_of(meaning).is_none(),
+        Statement::Same { others, .. } => others.iter().any(|other| match other {
+            Term::Formula(formula) => node_of(formula).is_none(),
+            _ => false,
+        }),
         // What a thing consists of are things.
         Statement::Does {
             verb: "consist",

@@ -48,12 +48,26 @@ impl<'a> Builder<'a> {
     ) -> Option<Quantity> {
         let potential = self.potential_energy(body);
         let unknown = potential.is_none() && self.gravity.is_some();
-        if unknown || self.declarations.iter().any(|d| self.may_do_work(d)) {
+        let works = |d: &Declaration| self.may_do_work(d);
+        // Where a sentence speaks of the potential energy of the body, no other load has one.
+        let told = potential.is_some() && self.speaks_of_potential(body);
+        if unknown || !told && self.declarations.iter().any(works) {
             return None;
         }
         let signed = |v: Quantity| Quantity::Scaled(v.boxed(), whole(sign));
         let terms = std::iter::once(kinetic).chain(potential.map(signed));
         Some(Quantity::Sum(terms.collect()))
+    }
+
+    /// "`$V$` is the potential energy of P."
+    fn speaks_of_potential(&self, body: usize) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == POTENTIAL => {
+                let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+                letters && self.body_of(what) == Some(body)
+            }
+            _ => false,
+        })
     }
 
     /// Whether a sentence tells of a load that may have a potential energy besides a weight of which all is known: no force at a

@@ -9,6 +9,7 @@ use crate::verify::reading::Reading;
 use crate::verify::reading::names::node_of;
 use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
+use crate::verify::verdict::Wants;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Letters that mean what they do by custom, where no sentence says otherwise.
@@ -21,6 +22,8 @@ pub(crate) struct Unused {
     pub(crate) understood: bool,
     /// What it says makes the model larger than what is worked out.
     pub(crate) beyond: bool,
+    /// What would help, where that is known.
+    pub(crate) wants: Option<Wants>,
     pub(crate) reach: Reach,
     /// The letters that it says something of, where it says no more than what these are: without marks, and of a sentence that
     /// was not understood without labels.

@@ -183,6 +183,7 @@ impl Builder<'_> {
                 sentence,
                 understood,
                 beyond: false,
+                wants: None,
                 reach,
                 letters,
                 connected: None,

@@ -111,6 +111,12 @@ impl<'a> Judge<'a> {
         Self::over(document, part, prepared)
     }
 
+    /// Whether a sentence is in force in its part of the document.
+    pub(crate) fn is_told(&self, sentence: &str) -> bool {
+        let mut told = self.part.declarations.iter();
+        told.any(|d| d.text.trim_end_matches('.') == sentence)
+    }
+
     /// For a part of a document that is read so.
     pub(crate) fn over(document: &'a Document, part: Part, prepared: Prepared) -> Self {
         let mut reading = prepared.reading;

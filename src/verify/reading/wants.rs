@@ -1,0 +1,142 @@
+//! What a sentence of which nothing was made waits for: a name that no sentence explains, another sentence, a direction.
+
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::names::{name_of, node_of};
+use crate::verify::reading::shapes_read::SHAPES;
+use crate::verify::term::letters::spelled;
+use crate::verify::verdict::Wants;
+use std::collections::BTreeSet;
+
+/// Slots that hold things.
+const OF_THINGS: [Slot; 10] = [
+    Slot::On,
+    Slot::RelativeTo,
+    Slot::About,
+    Slot::From,
+    Slot::At,
+    Slot::To,
+    Slot::FixedIn,
+    Slot::Through,
+    Slot::Along,
+    Slot::Of,
+];
+
+impl Builder<'_> {
+    /// Says of each sentence of which nothing was made what would help, where that is known.
+    pub(super) fn say_what_unused_want(&mut self) {
+        let unused: BTreeSet<String> = self
+            .reading
+            .unused
+            .iter()
+            .map(|u| u.sentence.clone())
+            .collect();
+        let is_unused = |d: &Declaration| unused.contains(d.text.trim_end_matches('.'));
+        let wanting = self.declarations.iter().filter(|d| is_unused(d));
+        let wanted: Vec<(&Declaration, Option<Wants>)> =
+            wanting.map(|d| (d, self.wanted_by(d, is_unused))).collect();
+        for unused in &mut self.reading.unused {
+            let mut own = wanted.iter().filter(|(d, _)| text_of(d) == unused.sentence);
+            unused.wants = own.find_map(|(_, wants)| wants.clone());
+        }
+    }
+
+    fn wanted_by(
+        &self,
+        declaration: &Declaration,
+        is_unused: impl Fn(&Declaration) -> bool,
+    ) -> Option<Wants> {
+        let statement = &declaration.statement;
+        for thing in things_in(statement) {
+            let Some(name) = name_of(thing).filter(|_| !self.is_known(thing)) else {
+                continue;
+            };
+            let mut others = self
+                .declarations
+                .iter()
+                .filter(|d| d.text != declaration.text);
+            match others.find(|d| tells(d, &name)) {
+                None => return Some(Wants::Name(name)),
+                Some(other) if is_unused(other) => return Some(Wants::Sentence(text_of(other))),
+                Some(_) => {}
+            }
+        }
+        self.told_otherwise(declaration)
+            .or_else(|| self.wanted_by_shape(statement))
+    }
+
+    /// Whether a letter or a name stands for something.
+    fn is_known(&self, term: &Term) -> bool {
+        let letter = match term {
+            Term::Formula(formula) => node_of(formula),
+            _ => None,
+        };
+        let mut letters = self.reading.letters.letters.iter();
+        let means = |node| letters.any(|letter| letter.spelled == spelled(node));
+        let names = |name: String| {
+            self.frames.contains_key(&name)
+                || self.points.contains_key(&name)
+                || self.bodies.contains_key(&name)
+                || self.axes.iter().any(|(own, _)| *own == name)
+        };
+        letter.is_some_and(means) || name_of(term).is_none_or(names)
+    }
+
+    /// Another sentence that says what the letter of this one is.
+    fn told_otherwise(&self, declaration: &Declaration) -> Option<Wants> {
+        let Statement::Is { subjects, .. } = &declaration.statement else {
+            return None;
+        };
+        let [Term::Formula(letter)] = subjects.as_slice() else {
+            return None;
+        };
+        let node = node_of(letter)?;
+        let mut told = self.reading.letters.letters.iter();
+        let told = told.find(|l| l.spelled == spelled(node) && l.sentence != declaration.text)?;
+        Some(Wants::Alone(told.sentence.trim_end_matches('.').to_owned()))
+    }
+
+    /// A shape has to lie along an axis.
+    fn wanted_by_shape(&self, statement: &Statement) -> Option<Wants> {
+        let Statement::Is { subjects, what } = statement else {
+            return None;
+        };
+        let body = subjects.first().and_then(|term| self.body(term))?;
+        let shaped =
+            SHAPES.contains(&what.head) && self.reading.system.bodies[body].inertia.is_none();
+        shaped.then(|| Wants::Direction(what.head.to_owned()))
+    }
+}
+
+/// The letters and short names of things that a sentence names besides its subject.
+fn things_in(statement: &Statement) -> impl Iterator<Item = &Term> {
+    let slots = statement.slots().flatten();
+    let things = slots.filter(|(slot, term)| OF_THINGS.contains(slot) && is_short(term));
+    things.map(|(_, term)| term)
+}
+
+/// A lone letter, or a name that is no noun.
+fn is_short(term: &Term) -> bool {
+    match term {
+        Term::Formula(formula) => {
+            node_of(formula).is_some_and(|node| node.children().next().is_none())
+        }
+        Term::Name(name) => {
+            name.chars().next().is_some_and(char::is_uppercase) && !name.contains(' ')
+        }
+        _ => false,
+    }
+}
+
+/// Whether a sentence says something of what has a name, or gives it to something: "a disc of mass `$m$`".
+fn tells(declaration: &Declaration, name: &str) -> bool {
+    let own = |term: &Term| name_of(term).as_deref() == Some(name);
+    let statement = &declaration.statement;
+    let mut given = statement.slots().flatten();
+    statement.subjects().iter().any(own)
+        || given.any(|(slot, term)| *slot == Slot::Which && own(term))
+}
+
+fn text_of(declaration: &Declaration) -> String {
+    declaration.text.trim_end_matches('.').to_owned()
+}
