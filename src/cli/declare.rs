@@ -79,9 +79,13 @@ fn about(unused: &Unused) -> (String, String) {
         );
     }
     let help = match &unused.wants {
-        Some(Wants::Name(name)) => {
-            format!("no sentence says what `{name}` is: add one, such as \"{name} is a point fixed in B.\"")
-        }
+        Some(Wants::Frame(name)) => format!(
+            "no sentence says what `{name}` is: add one, such as \"{name} is a frame fixed in the body.\""
+        ),
+        Some(Wants::Point(name)) => format!(
+            "no sentence says what `{name}` is: add one, such as \"{name} is a point fixed in B.\""
+        ),
+        Some(Wants::Name(name)) => format!("no sentence says what `{name}` is: add one"),
         Some(Wants::Sentence(other)) => format!("it waits for another sentence of which nothing was made: \"{other}\""),
         Some(Wants::Alone(other)) => {
             format!("another sentence tells of the same letter: \"{other}\"; leave one of them out, or say how the two go together")

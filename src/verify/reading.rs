@@ -13,6 +13,7 @@ pub(crate) mod body_lines;
 pub(crate) mod bounds_read;
 pub(crate) mod boxes_read;
 pub(crate) mod builder;
+mod columns_read;
 pub(crate) mod components_read;
 pub(crate) mod compounds_read;
 pub(crate) mod connected;

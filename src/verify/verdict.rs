@@ -246,6 +246,10 @@ pub struct Unused {
 /// What a sentence waits for of which nothing was made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Wants {
+    /// A sentence that says which frame has this name.
+    Frame(String),
+    /// A sentence that says which point has this name.
+    Point(String),
     /// A sentence that says what has this name.
     Name(String),
     /// That something is made of this sentence.

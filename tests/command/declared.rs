@@ -275,6 +275,29 @@ fn a_sentence_of_which_nothing_is_made_is_a_warning() {
 }
 
 #[test]
+fn a_sentence_of_which_nothing_is_made_says_what_it_waits_for() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the box.
+$e_1, e_2, e_3$ are the axes of B.
+G is the mass centre of the box.
+G is placed from Q by $a e_1$.
+$\\eta$ is the scalar part of $q$.
+$q$ takes components on B to components on D, scalar first.
+";
+    let folder = folder(&[("a.md", "$$ a=b $$\n"), ("a.declare", sentences)]);
+    let output = polhode(folder.path(), &["check", "a.md", "--declare", "a.declare"]);
+    let shown = text(&output.stderr);
+    for said in [
+        "no sentence says what `Q` is",
+        "no sentence says what `D` is",
+        "it waits for another sentence of which nothing was made: \"$q$ takes components",
+    ] {
+        assert!(shown.contains(said), "{said}\n{shown}");
+    }
+}
+
+#[test]
 fn what_meaning_prints_gives_the_same_verdicts() {
     let folder = folder(&[
         ("ring.md", &format!("{}{LINES}", front_matter(&RING))),

@@ -175,3 +175,17 @@ fn values_by_cases_are_refused_and_conditions_are_lines_of_their_own() {
         (r"a = b \quad\text{if}\quad c = d", "a = b\nc = d"),
     ]);
 }
+
+#[test]
+fn a_full_stop_joins_vectors_and_a_thin_space_keeps_a_prime() {
+    each_reads(&[
+        (
+            r"2T = \mathbf w.(\mathbf J.\mathbf w)",
+            r"2 T = \mathbf w \cdot (\mathbf J \cdot \mathbf w)",
+        ),
+        (
+            r"\vec v = \vec r\,' + \vec r\,''",
+            r"\vec v = \vec r' + \vec r''",
+        ),
+    ]);
+}

@@ -29,6 +29,7 @@ mod taken_in_whole;
 mod tensors;
 mod textbook;
 mod told_by_equations;
+mod told_by_lines;
 mod told_places;
 mod whose;
 mod word_for_word;

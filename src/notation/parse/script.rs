@@ -40,6 +40,8 @@ impl<'t, 'a> Parser<'t, 'a> {
                     self.at += 1;
                     node = wrap(node, |number| Kind::WithUnit(number, "deg".into()));
                 }
+                // `\vec r\,'`: a thin space keeps a prime off an arrow.
+                Some(Lexeme::Space(_)) if self.space_leads_a_prime() => self.at += 1,
                 Some(Lexeme::Char('\'')) => {
                     self.at += 1;
                     match symbol_of(&mut node) {
@@ -52,6 +54,11 @@ impl<'t, 'a> Parser<'t, 'a> {
             node.span = self.since(start);
         }
         node
+    }
+
+    fn space_leads_a_prime(&self) -> bool {
+        let next = self.tokens.get(self.at + 1);
+        next.is_some_and(|t| !t.spaced && t.kind == Lexeme::Char('\''))
     }
 
     fn empty_group_leads_a_script(&self) -> bool {

@@ -3,8 +3,6 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::notation::ast::{Kind, Node};
-use crate::notation::document::Row;
-use crate::notation::{Macros, read_formula};
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
@@ -13,7 +11,7 @@ use crate::verify::model::contact::Round;
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{UNIT_VECTOR, is_letter, node_of, told};
+use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of_formula, node_of, told};
 use crate::verify::term::letters::{Mark, Meaning, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::{Basis, Shape, Value};
@@ -79,6 +77,11 @@ impl Builder<'_> {
             if told {
                 continue;
             }
+            // A letter that another sentence makes an axis is no vector of its own.
+            if along.is_none() && self.is_named_axis(formula) {
+                self.say_unused(declaration);
+                continue;
+            }
             // The axis of a turn is told by where it leads as well.
             if let (Some(axis @ Quantity::Axis(..)), Some(along)) = (&known, &along)
                 && what.head == UNIT_VECTOR
@@ -103,6 +106,11 @@ impl Builder<'_> {
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
+    }
+
+    fn is_named_axis(&self, formula: &Formula) -> bool {
+        let name = name_of_formula(formula);
+        self.axes.iter().any(|(own, _)| *own == name)
     }
 
     fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {
@@ -179,45 +187,6 @@ impl Builder<'_> {
         match self.operand(term, declaration) {
             Some(along) => Some(along),
             None => self.axis_quantity(term, declaration),
-        }
-    }
-
-    /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
-    pub(super) fn read_column(
-        &mut self,
-        subjects: &[Term],
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) {
-        if let (Some(Term::Formula(column)), [Term::Formula(letter)]) =
-            (what.slot(Slot::Which), subjects)
-            && let Some(node) = node_of(column)
-        {
-            let same = Meaning::Same(Box::new(node.clone()));
-            return self.denote(letter, same, declaration);
-        }
-        let entries = what.all(Slot::Of).map(|term| match term {
-            Term::Formula(formula) => node_of(formula).cloned(),
-            Term::Numbers(numbers) => match numbers[..] {
-                [number] => number_node(number),
-                _ => None,
-            },
-            _ => None,
-        });
-        let entries = entries.collect::<Option<Vec<_>>>();
-        // The rows of a matrix are no row of matrices.
-        let Some(entries) = entries.filter(|entries| entries.len() > 1) else {
-            return self.say_unused(declaration);
-        };
-        for formula in formulas(subjects) {
-            let column = Node {
-                kind: match what.head {
-                    "row" => Kind::Matrix(vec![entries.clone()]),
-                    _ => Kind::Tuple(entries.clone()),
-                },
-                span: crate::source::Span::default(),
-            };
-            self.denote(formula, Meaning::Same(Box::new(column)), declaration);
         }
     }
 
@@ -387,14 +356,6 @@ pub(super) fn entry_of(tensor: &Quantity, row: usize, column: usize, on: FrameId
         column,
         on,
         integral: false,
-    }
-}
-
-/// A whole number as it stands in a formula.
-fn number_node(number: usize) -> Option<Node> {
-    match read_formula(&number.to_string(), 0, &Macros::default()).pop()? {
-        Row::Expression(node) => Some(node),
-        _ => None,
     }
 }
 

@@ -47,7 +47,7 @@ impl Builder<'_> {
         is_unused: impl Fn(&Declaration) -> bool,
     ) -> Option<Wants> {
         let statement = &declaration.statement;
-        for thing in things_in(statement) {
+        for (slot, thing) in things_in(statement) {
             let Some(name) = name_of(thing).filter(|_| !self.is_known(thing)) else {
                 continue;
             };
@@ -56,7 +56,7 @@ impl Builder<'_> {
                 .iter()
                 .filter(|d| d.text != declaration.text);
             match others.find(|d| tells(d, &name)) {
-                None => return Some(Wants::Name(name)),
+                None => return Some(what_is(*slot, name)),
                 Some(other) if is_unused(other) => return Some(Wants::Sentence(text_of(other))),
                 Some(_) => {}
             }
@@ -109,10 +109,18 @@ impl Builder<'_> {
 }
 
 /// The letters and short names of things that a sentence names besides its subject.
-fn things_in(statement: &Statement) -> impl Iterator<Item = &Term> {
+fn things_in(statement: &Statement) -> impl Iterator<Item = &(Slot, Term)> {
     let slots = statement.slots().flatten();
-    let things = slots.filter(|(slot, term)| OF_THINGS.contains(slot) && is_short(term));
-    things.map(|(_, term)| term)
+    slots.filter(|(slot, term)| OF_THINGS.contains(slot) && is_short(term))
+}
+
+/// What is missing in a slot.
+fn what_is(slot: Slot, name: String) -> Wants {
+    match slot {
+        Slot::On | Slot::RelativeTo | Slot::FixedIn => Wants::Frame(name),
+        Slot::From | Slot::At | Slot::Through => Wants::Point(name),
+        _ => Wants::Name(name),
+    }
 }
 
 /// A lone letter, or a name that is no noun.

@@ -1,0 +1,76 @@
+//! Columns and rows of entries, and those of the identity matrix.
+
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+use crate::notation::{Macros, read_formula};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::Meaning;
+
+impl Builder<'_> {
+    /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
+    pub(super) fn read_column(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        if let (Some(Term::Formula(column)), [Term::Formula(letter)]) =
+            (what.slot(Slot::Which), subjects)
+            && let Some(node) = node_of(column)
+        {
+            let same = Meaning::Same(Box::new(node.clone()));
+            return self.denote(letter, same, declaration);
+        }
+        let entries = what.all(Slot::Of).map(|term| match term {
+            Term::Formula(formula) => node_of(formula).cloned(),
+            Term::Numbers(numbers) => match numbers[..] {
+                [number] => number_node(number),
+                _ => None,
+            },
+            _ => None,
+        });
+        let entries = entries.collect::<Option<Vec<_>>>();
+        let entries = column_of_identity(what).or(entries);
+        // The rows of a matrix are no row of matrices.
+        let Some(entries) = entries.filter(|entries| entries.len() > 1) else {
+            return self.say_unused(declaration);
+        };
+        for formula in formulas(subjects) {
+            let column = Node {
+                kind: match what.head {
+                    "row" => Kind::Matrix(vec![entries.clone()]),
+                    _ => Kind::Tuple(entries.clone()),
+                },
+                span: crate::source::Span::default(),
+            };
+            self.denote(formula, Meaning::Same(Box::new(column)), declaration);
+        }
+    }
+}
+
+/// "the third column of the identity matrix": its entries.
+fn column_of_identity(what: &NounPhrase) -> Option<Vec<Node>> {
+    let (Some(Term::Phrase(of)), Some(Term::Numbers(which))) =
+        (what.slot(Slot::Of), what.slot(Slot::Which))
+    else {
+        return None;
+    };
+    let [which @ 1..=3] = which.as_slice() else {
+        return None;
+    };
+    let entries = (1..=3).map(|own| number_node(usize::from(own == *which)));
+    entries
+        .collect::<Option<_>>()
+        .filter(|_| of.head == "identity matrix")
+}
+
+/// A whole number as it stands in a formula.
+fn number_node(number: usize) -> Option<Node> {
+    match read_formula(&number.to_string(), 0, &Macros::default()).pop()? {
+        Row::Expression(node) => Some(node),
+        _ => None,
+    }
+}
