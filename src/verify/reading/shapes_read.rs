@@ -206,7 +206,7 @@ impl<'a> Builder<'a> {
             let long = sides.into_iter().filter(|side| !side.is_zero());
             let (mut content, mut dimension) = (Fraction::one(), 0);
             for side in long {
-                content = content * side;
+                content *= side;
                 dimension += 1;
             }
             return Some((content, dimension));
