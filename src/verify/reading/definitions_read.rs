@@ -55,7 +55,10 @@ impl Builder<'_> {
             return;
         };
         let letter = Formula::of(left);
-        if self.is_subject(&letter) || self.quantity_of(&letter, declaration).is_some() {
+        // A letter by which a frame turns or a point is placed stands in the model already.
+        let told =
+            self.quantity_of(&letter, declaration).is_some() || self.is_told(&letter, declaration);
+        if told || self.is_subject(&letter) {
             return;
         }
         let everywhere = declaration.extent == Extent::Document;

@@ -246,3 +246,27 @@ $$ F=\sin\psi $$
 ";
     assert_eq!(judged(sentences, text), "prpr");
 }
+
+#[test]
+fn a_formula_for_an_angle_or_a_place_is_no_letter_of_its_own() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+O is a point fixed in N.
+B turns relative to N about $z$ by the angle $\theta$.
+$\omega$ is constant.
+$\theta=\omega t$.
+$w$ is the angular velocity of B relative to N.
+P is placed from O by $s x$.
+$s=b\sin\theta$.
+$b$ is constant.
+$v$ is the velocity of P relative to N.
+";
+    let text = r"
+$$ w=\omega z $$
+$$ w=2\omega z $$
+$$ v=b\omega\cos(\omega t) x $$
+$$ v=b\omega\sin(\omega t) x $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}
