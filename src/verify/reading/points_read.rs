@@ -5,6 +5,7 @@ use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, T
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::definitions_read::defined_as;
 use crate::verify::reading::names::{
     MASS_CENTRE, UNIT_VECTOR, is_letter, is_marked_vector, name_of, node_of,
 };
@@ -303,7 +304,7 @@ impl Builder<'_> {
         Some(along * distance)
     }
 
-    /// Whether the document writes the rate of a letter: then it changes.
+    /// Whether the document writes the rate of a letter, or a sentence sets it by a formula: then it may change.
     pub(super) fn has_rate(&self, distance: &Term) -> bool {
         let formula = match distance {
             Term::Formula(formula) => formula,
@@ -314,7 +315,10 @@ impl Builder<'_> {
             _ => return false,
         };
         let letter = node_of(formula).map(spelled);
-        letter.is_some_and(|letter| self.reading.letters.written.has(&rate_of(&letter)))
+        let written = |letter: String| self.reading.letters.written.has(&rate_of(&letter));
+        let mut declarations = self.declarations.iter();
+        letter.is_some_and(written)
+            || declarations.any(|d| defined_as(formula, &d.statement).is_some())
     }
 
     /// A distance of which no rate is written is constant.

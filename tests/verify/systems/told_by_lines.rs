@@ -265,8 +265,8 @@ $v$ is the velocity of P relative to N.
     let text = r"
 $$ w=\omega z $$
 $$ w=2\omega z $$
-$$ v=b\omega\cos(\omega t) x $$
-$$ v=b\omega\sin(\omega t) x $$
+$$ v=b\omega\cos\theta\, x $$
+$$ v=b\omega\sin\theta\, x $$
 ";
     assert_eq!(judged(sentences, text), "prpr");
 }
