@@ -43,11 +43,12 @@ mod words;
 pub use declarations::{Declared, Misunderstood, Sheet, declarations};
 pub(crate) use declared::Shared;
 pub use declared::{check_declared, judge_declared};
+pub use language::wants::Wants;
 pub use meanings::check;
 pub(crate) use standing::apart::{Apart, Said, WorkedOut};
 pub(crate) use standing::memory::Wording;
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,
-    Report, Role, Summary, Unused, Verdict, Wants,
+    Report, Role, Summary, Unused, Verdict,
 };

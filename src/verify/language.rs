@@ -75,6 +75,7 @@ mod told_in_parts;
 mod turned_lines;
 mod turns;
 mod unread;
+pub(crate) mod wants;
 mod weights;
 mod words;
 

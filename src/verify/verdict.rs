@@ -3,6 +3,7 @@
 use crate::algebra::{Proof, Variable};
 use crate::notation::document::Document;
 use crate::source::Span;
+use crate::verify::language::wants::Wants;
 
 /// What a line is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -241,23 +242,6 @@ pub struct Unused {
     pub beyond: bool,
     /// What would help, where that is known.
     pub wants: Option<Wants>,
-}
-
-/// What a sentence waits for of which nothing was made.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Wants {
-    /// A sentence that says which frame has this name.
-    Frame(String),
-    /// A sentence that says which point has this name.
-    Point(String),
-    /// A sentence that says what has this name.
-    Name(String),
-    /// That something is made of this sentence.
-    Sentence(String),
-    /// That this sentence, which tells of the same letter, is taken out or agrees.
-    Alone(String),
-    /// The axis along which a shape lies, and its sizes: its noun.
-    Direction(String),
 }
 
 /// The sign convention for products of inertia.

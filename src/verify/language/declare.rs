@@ -19,7 +19,6 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
-use super::listed::tell_listed_moments;
 use super::mounted::mount_wheels;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
@@ -141,7 +140,6 @@ fn in_plain_terms(
     tell_matrices(&mut declarations);
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
-    tell_listed_moments(&mut declarations);
     tell_upright_axes(&mut declarations);
     number_counted(&mut declarations);
     name_placed_points(&mut declarations);

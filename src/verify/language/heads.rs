@@ -138,6 +138,8 @@ pub(crate) const PLAIN_ADVERBS: [&str; 2] = ["without slipping", "freely"];
 pub(crate) const COORDINATES: &str = "generalised coordinates";
 /// The second derivatives of the kinetic energy in the rates of the coordinates.
 pub(crate) const MASS_MATRIX: &str = "mass matrix";
+/// The matrix that changes nothing.
+pub(crate) const IDENTITY_MATRIX: &str = "identity matrix";
 /// The energy that a body would have as a particle at its mass centre.
 pub(crate) const ENERGY_OF_TRANSLATION: &str = "kinetic energy of translation";
 /// What the square of a letter means that is a vector.
@@ -218,6 +220,7 @@ mod tests {
             OTHER_PRODUCTS,
             COORDINATES,
             MASS_MATRIX,
+            IDENTITY_MATRIX,
             ENERGY_OF_TRANSLATION,
             SQUARE_OF_VECTOR,
             NOTHING,

@@ -2,6 +2,7 @@
 
 use super::heads::{FORCE, MASS, MOMENT};
 use super::kinds::name;
+use super::listed::tell_listed_moments;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::{is_bodily, is_body};
 use crate::notation::ast::Kind;
@@ -80,8 +81,9 @@ fn is_vector(term: &Term) -> bool {
 
 /// "the total moment of the external forces on the body about C": the total moment on it; and what is said of a vector is not
 /// said of the body that the sentence names before.
-pub(crate) fn say_of_loads(declarations: &mut [Declaration]) {
+pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
     share_agents(declarations);
+    tell_listed_moments(declarations);
     let mut letter: Option<(String, Term)> = None;
     for declaration in declarations {
         let Statement::Is { subjects, what } = &mut declaration.statement else {

@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
+use crate::verify::language::heads::IDENTITY_MATRIX;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -64,7 +65,7 @@ fn column_of_identity(what: &NounPhrase) -> Option<Vec<Node>> {
     let entries = (1..=3).map(|own| number_node(usize::from(own == *which)));
     entries
         .collect::<Option<_>>()
-        .filter(|_| of.head == "identity matrix")
+        .filter(|_| of.head == IDENTITY_MATRIX)
 }
 
 /// A whole number as it stands in a formula.

@@ -2,8 +2,8 @@
 
 use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
-    KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX,
-    SCALAR_PART, SECOND_RATE, VECTOR_PART,
+    IDENTITY_MATRIX, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE,
+    ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -113,8 +113,7 @@ impl Builder<'_> {
             CONJUGATE | SCALAR_PART | VECTOR_PART => {
                 self.part_of_quaternion(phrase, declaration)?
             }
-            "identity matrix" => Quantity::Identity,
-            // "the mass of the rod per unit length"
+            IDENTITY_MATRIX => Quantity::Identity,
             MASS if is_per_unit(phrase) => self.density(phrase, declaration)?,
             MASS => Quantity::Mass(self.whole_of(phrase)?),
             "volume" => self.volume(phrase)?,

@@ -5,11 +5,11 @@ use crate::notation::document::Row;
 use crate::notation::print;
 use crate::verify::language::heads::{BOLD_LETTER, FRAME_AT_UPPER};
 use crate::verify::language::statement::{Formula, Sign};
+use crate::verify::language::wants::Wants;
 use crate::verify::reading::Reading;
 use crate::verify::reading::names::node_of;
 use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
-use crate::verify::verdict::Wants;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Letters that mean what they do by custom, where no sentence says otherwise.

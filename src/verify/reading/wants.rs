@@ -1,11 +1,11 @@
 //! What a sentence of which nothing was made waits for: a name that no sentence explains, another sentence, a direction.
 
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
+use crate::verify::language::wants::Wants;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
 use crate::verify::reading::shapes_read::SHAPES;
 use crate::verify::term::letters::spelled;
-use crate::verify::verdict::Wants;
 use std::collections::BTreeSet;
 
 /// Slots that hold things.

@@ -113,8 +113,7 @@ impl<'a> Judge<'a> {
 
     /// Whether a sentence is in force in its part of the document.
     pub(crate) fn is_told(&self, sentence: &str) -> bool {
-        let mut told = self.part.declarations.iter();
-        told.any(|d| d.text.trim_end_matches('.') == sentence)
+        self.part.says(sentence)
     }
 
     /// For a part of a document that is read so.

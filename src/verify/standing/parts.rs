@@ -42,6 +42,12 @@ impl Part {
         limits.all(|(reach, holds)| *holds || !reach.covers(at, 0))
     }
 
+    /// Whether a sentence is in force in it.
+    pub(crate) fn says(&self, sentence: &str) -> bool {
+        let mut said = self.declarations.iter();
+        said.any(|d| d.text.trim_end_matches('.') == sentence)
+    }
+
     /// A document that speaks of one system.
     pub(crate) fn whole(declarations: &[Declaration]) -> Self {
         Self {

@@ -1,0 +1,18 @@
+//! What a sentence waits for of which nothing was made.
+
+/// What a sentence waits for of which nothing was made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Wants {
+    /// A sentence that says which frame has this name.
+    Frame(String),
+    /// A sentence that says which point has this name.
+    Point(String),
+    /// A sentence that says what has this name.
+    Name(String),
+    /// That something is made of this sentence.
+    Sentence(String),
+    /// That this sentence, which tells of the same letter, is taken out or agrees.
+    Alone(String),
+    /// The axis along which a shape lies, and its sizes: its noun.
+    Direction(String),
+}
