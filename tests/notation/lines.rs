@@ -181,11 +181,11 @@ fn a_full_stop_joins_vectors_and_a_thin_space_keeps_a_prime() {
     each_reads(&[
         (
             r"2T = \mathbf w.(\mathbf J.\mathbf w)",
-            r"2 T = \mathbf w \cdot (\mathbf J \cdot \mathbf w)",
+            "(* 2 T) = (* vec:w · (group (* vec:J · vec:w)))",
         ),
         (
             r"\vec v = \vec r\,' + \vec r\,''",
-            r"\vec v = \vec r' + \vec r''",
+            "vec:v = (+ vec:r' vec:r'')",
         ),
     ]);
 }

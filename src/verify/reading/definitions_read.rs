@@ -5,8 +5,8 @@ use crate::notation::document::Row;
 use crate::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Formula, Statement, Term,
 };
-use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::builder::{Builder, place_in};
+use crate::verify::reading::names::{is_marked_vector, node_of, reach_of};
 use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -61,7 +61,12 @@ impl Builder<'_> {
         if told || self.is_subject(&letter) {
             return;
         }
-        let everywhere = declaration.extent == Extent::Document;
+        // With the label of an instant a letter is a value of another one.
+        let at = place_in(&reach_of(&declaration.extent));
+        if self.reading.letters.speaks_of_instant(left, &at) {
+            return;
+        }
+        let everywhere = declaration.extent == Extent::Document && !is_marked_vector(&letter);
         let value = self.mentioned_value(&Formula::of(right), declaration);
         let Some(value) = value.filter(|value| everywhere || !value.is_scalar()) else {
             return;
