@@ -220,7 +220,7 @@ impl Declared {
     pub fn place(&self, text: &str) -> Option<(Option<usize>, Span)> {
         let text = text.trim_end_matches('.');
         let mut all = self.declarations.iter();
-        let at = all.position(|declaration| declaration.text.trim_end_matches('.') == text)?;
+        let at = all.position(|declaration| declaration.sentence() == text)?;
         let origin = self.origins.get(*self.of.get(at)?)?;
         Some((origin.sheet, origin.span?))
     }

@@ -91,7 +91,7 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
     let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);
     // What one part of a document has no use for another may need.
     let in_each = |sentence: &str| {
-        let mut all = judgments.iter().filter(|own| own.judge.is_told(sentence));
+        let mut all = judgments.iter().filter(|own| own.judge.part.says(sentence));
         all.all(|own| {
             let mut unused = own.judge.reading.unused.iter();
             unused.any(|u| u.sentence == sentence)

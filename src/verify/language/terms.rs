@@ -162,6 +162,11 @@ impl Declaration {
         }
     }
 
+    /// The sentence as it is named in messages: without its full stop.
+    pub(crate) fn sentence(&self) -> &str {
+        self.text.trim_end_matches('.')
+    }
+
     /// Whether the sentence was not understood and has one of some words in lower case.
     pub(crate) fn may_speak_of(&self, words: &[&str]) -> bool {
         let plain = |word: &str| {

@@ -25,7 +25,7 @@ const OF_WHOLES: [&str; 10] = [
 /// Names the bodies of which sentences speak together.
 pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
     name_parts(declarations);
-    *declarations = declarations.drain(..).flat_map(of_each_centre).collect();
+    say_of_each_centre(declarations);
     let mut joined: Vec<Declaration> = vec![];
     let things: Vec<(String, &'static str)> = things(declarations);
     for declaration in declarations.iter_mut() {
@@ -54,33 +54,36 @@ pub(crate) fn join_together(declarations: &mut Vec<Declaration>) {
 }
 
 /// "G is the mass centre of the hub and of the wheel", with the "of" said again: of each of them.
-fn of_each_centre(declaration: Declaration) -> Vec<Declaration> {
-    let of_each = |part: &(Slot, Term)| match &declaration.statement {
-        Statement::Is { subjects, what } => Some(Statement::Is {
-            subjects: subjects.clone(),
-            what: NounPhrase {
-                slots: vec![part.clone()],
-                ..what.clone()
-            },
-        }),
-        _ => None,
+fn say_of_each_centre(declarations: &mut Vec<Declaration>) {
+    let alone = |own: &Declaration| {
+        let mut others = declarations.iter().filter(|d| d.text == own.text);
+        others.all(|d| d.statement == own.statement)
     };
-    let each: Vec<Declaration> = match &declaration.statement {
-        Statement::Is { subjects, what }
-            if what.head == MASS_CENTRE
-                && subjects.len() == 1
-                && what.slots.iter().all(|(slot, _)| *slot == Slot::Of)
-                && declaration.text.contains(" and of ") =>
-        {
-            let said = what.slots.iter().filter_map(of_each);
-            said.map(|said| declaration.saying(said)).collect()
-        }
-        _ => vec![],
+    let parted = declarations.iter().flat_map(|declaration| {
+        let each = centres(declaration).filter(|_| alone(declaration));
+        each.unwrap_or_else(|| vec![declaration.clone()])
+    });
+    *declarations = parted.collect();
+}
+
+/// One sentence for each body whose mass centre a point is said to be, where the "of" is said again.
+fn centres(declaration: &Declaration) -> Option<Vec<Declaration>> {
+    let Statement::Is { subjects, what } = &declaration.statement else {
+        return None;
     };
-    match each.len() {
-        0 | 1 => vec![declaration],
-        _ => each,
+    let [subject] = subjects.as_slice() else {
+        return None;
+    };
+    let of_bodies = what.slots.iter().all(|(slot, _)| *slot == Slot::Of);
+    if what.head != MASS_CENTRE || !of_bodies || !declaration.text.contains(" and of ") {
+        return None;
     }
+    let of_one = |slot: &(Slot, Term)| {
+        let mut what = what.clone();
+        what.slots = vec![slot.clone()];
+        declaration.saying(Statement::one_is(subject.clone(), what))
+    };
+    Some(what.slots.iter().map(of_one).collect())
 }
 
 /// "The rotor consists of `$P_1$` and `$P_2$`": these are names. Which of them an index numbers is not worked with.

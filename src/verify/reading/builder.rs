@@ -127,7 +127,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn source_of(declaration: &Declaration) -> Source {
-        Source::Declared(declaration.text.trim_end_matches('.').to_owned())
+        Source::Declared(declaration.sentence().to_owned())
     }
 
     pub(super) fn hold(&mut self, equation: Fraction, declaration: &Declaration) {

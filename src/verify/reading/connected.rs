@@ -26,7 +26,7 @@ impl Builder<'_> {
         // A sentence that says several things bears on what any of them names.
         let mut of_sentence: HashMap<&str, BTreeSet<String>> = HashMap::new();
         for (declaration, named) in all().zip(&named) {
-            let sentence = declaration.text.trim_end_matches('.');
+            let sentence = declaration.sentence();
             let own = named.iter().filter_map(|name| letters.get(name));
             let known = of_sentence.entry(sentence).or_default();
             known.extend(own.flatten().cloned());

@@ -30,6 +30,7 @@ impl Builder<'_> {
             }
         }
         for formula in formulas(subjects) {
+            self.name_defined_by_line(formula, declaration);
             let quantity = self.quantity_of(formula, declaration);
             let value = match &quantity {
                 Some(quantity) => self.system().value_of(quantity).ok(),
@@ -46,15 +47,18 @@ impl Builder<'_> {
                     }
                 }
                 (None, Some(_)) => {}
-                (None, None) => self.read_constant_letter(formula, declaration),
+                (None, None) => {
+                    self.denote_number(formula, declaration);
+                }
             }
         }
     }
 
-    /// A letter that nothing else tells is a constant of its own; one that a line defines only does not change here.
-    fn read_constant_letter(&mut self, formula: &Formula, declaration: &Declaration) {
-        if !node_of(formula).is_some_and(|node| self.has_defined_by_line(node)) {
-            self.denote_number(formula, declaration);
+    /// A letter that nothing but a line tells is one everywhere: here it does not change.
+    fn name_defined_by_line(&mut self, formula: &Formula, declaration: &Declaration) {
+        let told =
+            self.quantity_of(formula, declaration).is_some() || self.is_told(formula, declaration);
+        if told || !node_of(formula).is_some_and(|node| self.has_defined_by_line(node)) {
             return;
         }
         let quantity = Quantity::Scalar {
@@ -66,11 +70,6 @@ impl Builder<'_> {
             ..declaration.clone()
         };
         self.denote(formula, Meaning::Quantity(quantity), &everywhere);
-        if let Some(value) = self.mentioned_value(formula, declaration) {
-            for rate in self.rates_of_constant(formula, &value) {
-                self.hold(rate, declaration);
-            }
-        }
     }
 
     /// "`$k$` is a scalar": a number of its own that may change, where nothing else tells what it is.

@@ -39,8 +39,15 @@ pub(super) fn defined_as(letter: &Formula, statement: &Statement) -> Option<Form
 }
 
 /// Whether a term is a letter, by its writing.
-pub(crate) fn is_written_as(term: &Term, letter: &Formula) -> bool {
+pub(super) fn is_written_as(term: &Term, letter: &Formula) -> bool {
     matches!(term, Term::Formula(own) if same_letter(own, letter))
+}
+
+/// Whether a sentence says in words what a letter is.
+pub(crate) fn is_subject(declarations: &[Declaration], letter: &Formula) -> bool {
+    let own = |term: &Term| is_written_as(term, letter);
+    let mut all = declarations.iter();
+    all.any(|d| d.statement.subjects().iter().any(own))
 }
 
 fn stands_in(node: &Node, writing: &str) -> bool {
@@ -98,8 +105,6 @@ impl Builder<'_> {
 
     /// Whether a sentence says in words what a letter is.
     pub(super) fn is_subject(&self, letter: &Formula) -> bool {
-        let own = |term: &Term| is_written_as(term, letter);
-        let mut all = self.declarations.iter();
-        all.any(|d| d.statement.subjects().iter().any(own))
+        is_subject(self.declarations, letter)
     }
 }

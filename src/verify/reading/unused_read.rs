@@ -168,7 +168,7 @@ impl Builder<'_> {
     }
 
     pub(super) fn say_unused(&mut self, declaration: &Declaration) {
-        let sentence = declaration.text.trim_end_matches('.').to_owned();
+        let sentence = declaration.sentence().to_owned();
         let reach = reach_of(&declaration.extent);
         let known = |u: &Unused| u.sentence == sentence && u.reach == reach;
         if !self.reading.unused.iter().any(known) {
@@ -197,7 +197,7 @@ impl Builder<'_> {
         self.say_unused(declaration);
         // Where several sentences were too much, the next ones will be: the work ends.
         self.reading.terms += MOST_TERMS / MOST_BEYOND;
-        let sentence = declaration.text.trim_end_matches('.');
+        let sentence = declaration.sentence();
         let own = self.reading.unused.iter_mut();
         own.filter(|u| u.sentence == sentence).for_each(|unused| {
             (unused.letters, unused.beyond) = (None, true);
@@ -221,7 +221,7 @@ impl Builder<'_> {
                 .iter()
                 .any(|other| other.line != declaration.line && speaks_of(&other.statement, &nodes));
             if told && elsewhere {
-                let sentence = declaration.text.trim_end_matches('.');
+                let sentence = declaration.sentence();
                 let own = self.reading.unused.iter_mut();
                 own.filter(|u| u.sentence == sentence)
                     .for_each(|unused| unused.letters = None);

@@ -78,7 +78,7 @@ impl Builder<'_> {
                 continue;
             }
             // A letter that another sentence makes an axis is no vector of its own.
-            if along.is_none() && self.is_named_axis(formula) {
+            if along.is_none() && self.axes.get(&name_of_formula(formula)).is_some() {
                 self.say_unused(declaration);
                 continue;
             }
@@ -106,11 +106,6 @@ impl Builder<'_> {
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
-    }
-
-    fn is_named_axis(&self, formula: &Formula) -> bool {
-        let name = name_of_formula(formula);
-        self.axes.iter().any(|(own, _)| *own == name)
     }
 
     fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {

@@ -6,7 +6,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
 use crate::verify::reading::shapes_read::SHAPES;
 use crate::verify::term::letters::spelled;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Slots that hold things.
 const OF_THINGS: [Slot; 10] = [
@@ -25,19 +25,14 @@ const OF_THINGS: [Slot; 10] = [
 impl Builder<'_> {
     /// Says of each sentence of which nothing was made what would help, where that is known.
     pub(super) fn say_what_unused_want(&mut self) {
-        let unused: BTreeSet<String> = self
-            .reading
-            .unused
-            .iter()
-            .map(|u| u.sentence.clone())
-            .collect();
-        let is_unused = |d: &Declaration| unused.contains(d.text.trim_end_matches('.'));
-        let wanting = self.declarations.iter().filter(|d| is_unused(d));
-        let wanted: Vec<(&Declaration, Option<Wants>)> =
-            wanting.map(|d| (d, self.wanted_by(d, is_unused))).collect();
+        let unused = self.reading.unused.iter();
+        let unused: BTreeSet<String> = unused.map(|unused| unused.sentence.clone()).collect();
+        let is_unused = |d: &Declaration| unused.contains(d.sentence());
+        let wanting = self.declarations.iter().rev().filter(|d| is_unused(d));
+        let wanted = wanting.filter_map(|d| Some((d.sentence(), self.wanted_by(d, is_unused)?)));
+        let wanted: BTreeMap<&str, Wants> = wanted.collect();
         for unused in &mut self.reading.unused {
-            let mut own = wanted.iter().filter(|(d, _)| text_of(d) == unused.sentence);
-            unused.wants = own.find_map(|(_, wants)| wants.clone());
+            unused.wants = wanted.get(unused.sentence.as_str()).cloned();
         }
     }
 
@@ -57,7 +52,9 @@ impl Builder<'_> {
                 .filter(|d| d.text != declaration.text);
             match others.find(|d| tells(d, &name)) {
                 None => return Some(what_is(*slot, name)),
-                Some(other) if is_unused(other) => return Some(Wants::Sentence(text_of(other))),
+                Some(other) if is_unused(other) => {
+                    return Some(Wants::Sentence(other.sentence().to_owned()));
+                }
                 Some(_) => {}
             }
         }
@@ -77,7 +74,7 @@ impl Builder<'_> {
             self.frames.contains_key(&name)
                 || self.points.contains_key(&name)
                 || self.bodies.contains_key(&name)
-                || self.axes.iter().any(|(own, _)| *own == name)
+                || self.axes.get(&name).is_some()
         };
         letter.is_some_and(means) || name_of(term).is_none_or(names)
     }
@@ -143,8 +140,4 @@ fn tells(declaration: &Declaration, name: &str) -> bool {
     let mut given = statement.slots().flatten();
     statement.subjects().iter().any(own)
         || given.any(|(slot, term)| *slot == Slot::Which && own(term))
-}
-
-fn text_of(declaration: &Declaration) -> String {
-    declaration.text.trim_end_matches('.').to_owned()
 }

@@ -90,7 +90,7 @@ pub(crate) struct Judge<'a> {
     pub(super) settled_taken: Vec<usize>,
     pub(super) again: Again,
     /// The part of the document whose lines are judged; of others only the letters that they define are taken.
-    pub(super) part: Part,
+    pub(crate) part: Part,
 }
 
 /// Lines that are looked at again, and links that others had before.
@@ -109,11 +109,6 @@ impl<'a> Judge<'a> {
     pub(crate) fn new(document: &'a Document, part: Part, first: usize) -> Self {
         let prepared = Prepared::new(&part.declarations, written_symbols(document), first);
         Self::over(document, part, prepared)
-    }
-
-    /// Whether a sentence is in force in its part of the document.
-    pub(crate) fn is_told(&self, sentence: &str) -> bool {
-        self.part.says(sentence)
     }
 
     /// For a part of a document that is read so.

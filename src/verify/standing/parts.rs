@@ -45,7 +45,7 @@ impl Part {
     /// Whether a sentence is in force in it.
     pub(crate) fn says(&self, sentence: &str) -> bool {
         let mut said = self.declarations.iter();
-        said.any(|d| d.text.trim_end_matches('.') == sentence)
+        said.any(|d| d.sentence() == sentence)
     }
 
     /// A document that speaks of one system.
