@@ -8,6 +8,7 @@ use crate::verify::reading::unused::Unused;
 use crate::verify::reading::unused_read::letters_of;
 use crate::verify::term::letters::spelled;
 use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// What sentences name: things by their names, letters as they are spelled.
 type Named = BTreeSet<String>;
@@ -22,14 +23,15 @@ impl Builder<'_> {
         }
         let all = || self.declarations.iter().chain(conditional);
         let named: Vec<Named> = all().map(|d| self.named_in(d)).collect();
-        let letters = self.letters_by_component(&named);
+        let letters = by_component(&named);
         // A sentence that says several things bears on what any of them names.
-        let mut of_sentence: HashMap<&str, BTreeSet<String>> = HashMap::new();
+        let mut of_sentence: HashMap<&str, Vec<Arc<Named>>> = HashMap::new();
         for (declaration, named) in all().zip(&named) {
-            let sentence = declaration.sentence();
-            let own = named.iter().filter_map(|name| letters.get(name));
-            let known = of_sentence.entry(sentence).or_default();
-            known.extend(own.flatten().cloned());
+            // What one declaration names is connected by it.
+            let own = named.iter().find_map(|name| letters.get(name.as_str()));
+            let known = of_sentence.entry(declaration.sentence()).or_default();
+            let own = own.filter(|own| !known.iter().any(|known| Arc::ptr_eq(known, own)));
+            known.extend(own.cloned());
         }
         for unused in self.reading.unused.iter_mut().filter(|u| waits(u)) {
             let own = of_sentence.get(unused.sentence.as_str());
@@ -79,29 +81,51 @@ impl Builder<'_> {
         }
         named
     }
+}
 
-    /// The letters with which each name is connected through sentences.
-    fn letters_by_component(&self, named: &[Named]) -> HashMap<String, BTreeSet<String>> {
-        let mut component: HashMap<&str, usize> = HashMap::new();
-        let mut members: Vec<BTreeSet<&str>> = vec![];
-        for names in named {
-            let found: BTreeSet<usize> = names
-                .iter()
-                .filter_map(|name| component.get(name.as_str()).copied())
-                .collect();
-            let mut all: BTreeSet<&str> = names.iter().map(String::as_str).collect();
-            for old in found {
-                all.extend(std::mem::take(&mut members[old]));
-            }
-            for name in &all {
-                component.insert(name, members.len());
-            }
-            members.push(all);
+/// The names with which each is connected through sentences, in sets that they share.
+fn by_component(named: &[Named]) -> HashMap<&str, Arc<Named>> {
+    let mut component: HashMap<&str, usize> = HashMap::new();
+    let mut members: Vec<BTreeSet<&str>> = vec![];
+    for names in named {
+        let known = names.iter().filter_map(|name| component.get(name.as_str()));
+        let known: BTreeSet<usize> = known.copied().collect();
+        // The others go over into the largest one.
+        let largest = known.iter().copied().max_by_key(|&at| members[at].len());
+        let at = largest.unwrap_or(members.len());
+        if largest.is_none() {
+            members.push(BTreeSet::new());
         }
-        let owned = |at: usize| members[at].iter().map(|n| (*n).to_owned()).collect();
-        component
-            .iter()
-            .map(|(name, &at)| ((*name).to_owned(), owned(at)))
-            .collect()
+        let others = known.into_iter().filter(|&other| other != at);
+        let mut new: BTreeSet<&str> = names.iter().map(String::as_str).collect();
+        others.for_each(|other| new.extend(std::mem::take(&mut members[other])));
+        for name in new {
+            component.insert(name, at);
+            members[at].insert(name);
+        }
+    }
+    let owned = |names: BTreeSet<&str>| Arc::new(names.into_iter().map(str::to_owned).collect());
+    let shared: Vec<Arc<Named>> = members.into_iter().map(owned).collect();
+    let all = component.into_iter();
+    all.map(|(name, at)| (name, shared[at].clone())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_connected_through_sentences_is_held_once() {
+        let named = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+        let sentences: [Named; 4] = [
+            named(&["a", "b"]),
+            named(&["c", "d"]),
+            named(&["e"]),
+            named(&["b", "c"]),
+        ];
+        let sets = by_component(&sentences);
+        assert!(Arc::ptr_eq(&sets["a"], &sets["d"]));
+        assert_eq!(*sets["a"], named(&["a", "b", "c", "d"]));
+        assert_eq!(*sets["e"], named(&["e"]));
     }
 }

@@ -11,6 +11,7 @@ use crate::verify::reading::names::node_of;
 use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// Letters that mean what they do by custom, where no sentence says otherwise.
 const BY_CUSTOM: [&str; 5] = ["t", "pi", "delta", "epsilon", "varepsilon"];
@@ -28,8 +29,8 @@ pub(crate) struct Unused {
     /// The letters that it says something of, where it says no more than what these are: without marks, and of a sentence that
     /// was not understood without labels.
     pub(crate) letters: Option<BTreeSet<String>>,
-    /// The letters that are connected with what it names.
-    pub(crate) connected: Option<BTreeSet<String>>,
+    /// The letters that are connected with what it names, in sets that sentences share.
+    pub(crate) connected: Option<Vec<Arc<BTreeSet<String>>>>,
     pub(crate) touches: Touches,
 }
 
@@ -75,8 +76,12 @@ impl Unused {
     }
 
     fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
-        let own = self.letters.as_ref().or(self.connected.as_ref());
-        own.is_none_or(|own| !own.is_disjoint(letters))
+        let one_in = |own: &BTreeSet<String>| letters.iter().any(|letter| own.contains(letter));
+        match (&self.letters, &self.connected) {
+            (Some(own), _) => one_in(own),
+            (None, Some(connected)) => connected.iter().any(|own| one_in(own)),
+            (None, None) => true,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
 use crate::verify::reading::shapes_read::SHAPES;
 use crate::verify::term::letters::spelled;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Slots that hold things.
 const OF_THINGS: [Slot; 10] = [
@@ -27,9 +27,21 @@ impl Builder<'_> {
     pub(super) fn say_what_unused_want(&mut self) {
         let unused = self.reading.unused.iter();
         let unused: BTreeSet<String> = unused.map(|unused| unused.sentence.clone()).collect();
+        if unused.is_empty() {
+            return;
+        }
         let is_unused = |d: &Declaration| unused.contains(d.sentence());
+        let mut tellers: HashMap<String, Vec<&Declaration>> = HashMap::new();
+        for declaration in self.declarations {
+            for name in told_in(&declaration.statement) {
+                tellers.entry(name).or_default().push(declaration);
+            }
+        }
         let wanting = self.declarations.iter().rev().filter(|d| is_unused(d));
-        let wanted = wanting.filter_map(|d| Some((d.sentence(), self.wanted_by(d, is_unused)?)));
+        let wanted = wanting.filter_map(|d| {
+            let wants = self.wanted_by(d, &tellers, is_unused)?;
+            Some((d.sentence(), wants))
+        });
         let wanted: BTreeMap<&str, Wants> = wanted.collect();
         for unused in &mut self.reading.unused {
             unused.wants = wanted.get(unused.sentence.as_str()).cloned();
@@ -39,6 +51,7 @@ impl Builder<'_> {
     fn wanted_by(
         &self,
         declaration: &Declaration,
+        tellers: &HashMap<String, Vec<&Declaration>>,
         is_unused: impl Fn(&Declaration) -> bool,
     ) -> Option<Wants> {
         let statement = &declaration.statement;
@@ -46,11 +59,8 @@ impl Builder<'_> {
             let Some(name) = name_of(thing).filter(|_| !self.is_known(thing)) else {
                 continue;
             };
-            let mut others = self
-                .declarations
-                .iter()
-                .filter(|d| d.text != declaration.text);
-            match others.find(|d| tells(d, &name)) {
+            let mut others = tellers.get(&name).into_iter().flatten();
+            match others.find(|d| d.text != declaration.text) {
                 None => return Some(what_is(*slot, name)),
                 Some(other) if is_unused(other) => {
                     return Some(Wants::Sentence(other.sentence().to_owned()));
@@ -133,11 +143,10 @@ fn is_short(term: &Term) -> bool {
     }
 }
 
-/// Whether a sentence says something of what has a name, or gives it to something: "a disc of mass `$m$`".
-fn tells(declaration: &Declaration, name: &str) -> bool {
-    let own = |term: &Term| name_of(term).as_deref() == Some(name);
-    let statement = &declaration.statement;
-    let mut given = statement.slots().flatten();
-    statement.subjects().iter().any(own)
-        || given.any(|(slot, term)| *slot == Slot::Which && own(term))
+/// The names of which a sentence says something, or which it gives to something: "a disc of mass `$m$`".
+fn told_in(statement: &Statement) -> impl Iterator<Item = String> {
+    let slots = statement.slots().flatten();
+    let given = slots.filter(|(slot, _)| *slot == Slot::Which);
+    let given = given.map(|(_, term)| term);
+    statement.subjects().iter().chain(given).filter_map(name_of)
 }
