@@ -27,6 +27,8 @@ pub(crate) enum Source {
     Instant(String),
     /// A law of this name.
     Law(&'static str),
+    /// What another source says, to an order in what is small: "to first order".
+    ToOrder(Box<Source>, &'static str),
 }
 
 impl Source {
@@ -38,6 +40,7 @@ impl Source {
             Self::Instant(name) if name == START => "the initial values".to_owned(),
             Self::Instant(name) => format!("the values at {name}"),
             Self::Law(name) => (*name).to_owned(),
+            Self::ToOrder(source, order) => format!("{}, {order}", source.text()),
         }
     }
 }

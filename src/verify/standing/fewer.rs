@@ -68,6 +68,34 @@ impl Judge<'_> {
         self.weigh_by_part(link, worked_out, part, exact)
     }
 
+    /// What it is worth to first or second order, by what the premises say to that order.
+    ///
+    /// A premise that says less of what is small than products of it says nothing then, so that what fails may hold.
+    pub(super) fn weigh_to_order(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+        let small = self.small_here();
+        if small.is_empty() {
+            return None;
+        }
+        let (mut laws, mut exact, mut premises) = (Facts::default(), true, vec![]);
+        for (equation, source) in self.premises() {
+            let atoms = &mut self.reading.system.atoms;
+            let equation = laws.normal(atoms, &equation).ok()?;
+            let value = small.truncated(atoms, equation.numerator());
+            exact &= !value.is_zero() || equation.is_zero();
+            if !value.is_zero() {
+                let source = Source::ToOrder(Box::new(source), small.premise());
+                premises.push((Fraction::from(value), source));
+            }
+        }
+        let atoms = &self.reading.system.atoms;
+        let relevant = relevant(atoms, premises.clone(), &worked_out.sides);
+        let by_relevant = relevant.and_then(|relevant| {
+            let exact = exact && relevant.exact;
+            self.weigh_by_part(link, worked_out, Part::of(relevant.premises), exact)
+        });
+        by_relevant.or_else(|| self.weigh_by_part(link, worked_out, Part::of(premises), exact))
+    }
+
     /// What it is worth by a part of the premises; `exact` where what fails by them fails by all.
     fn weigh_by_part(
         &mut self,

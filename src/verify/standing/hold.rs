@@ -345,7 +345,8 @@ impl Judge<'_> {
         let by_relevant = (!tried)
             .then(|| self.weigh_by_needed(link, &sides))
             .flatten();
-        by_relevant.unwrap_or_else(|| self.weigh_by_few_premises(held))
+        let to_order = by_relevant.or_else(|| self.weigh_to_order(link, &sides));
+        to_order.unwrap_or_else(|| self.weigh_by_few_premises(held))
     }
 
     /// What a link is worth by what is left of its differences.
