@@ -16,6 +16,15 @@ const FOR_ALL: [&str; 4] = ["any", "every", "each", "all"];
 /// Words for what the sentence before spoke of.
 const PRONOUNS: [&str; 3] = ["it", "they", "both"];
 
+/// Verbs of what a thing has.
+const OWNING: [&str; 5] = ["have", "have components", "consist", "depend", "hold"];
+
+/// Prepositions that behind "is" say what a thing is.
+const OF_WHAT_IT_IS: [&str; 5] = ["of", "with", "as", "with axes", "with edges"];
+
+/// Words that take something back.
+const DENYING: [&str; 6] = ["not", "no", "never", "except", "unless", "without"];
+
 /// The signs that a sentence speaks of, and whether it may be a rule beside them.
 #[derive(Default)]
 struct Signs {
@@ -49,20 +58,24 @@ impl Reader<'_> {
         let sign_first = self.at_sign_with_article();
         self.at = start;
         let things = !sign_first && self.is_about_things();
+        // How things move and what acts on them changes no letter but those that tell of it.
+        let moving = things && !of_a_part && self.says_what_a_thing_does();
         let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
         self.at = start;
         let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
         let rule_behind = letters && joined && (signs.other_rule || !signs.found.is_empty());
-        let operator = subjects
-            .iter()
-            .any(|s| matches!(s.row, Row::Expression(_)) && !is_of_one_thing(s));
+        let written = |s: &Formula| !matches!(s.row, Row::Line(_));
+        let operator = subjects.iter().any(|s| written(s) && !is_of_one_thing(s));
         let for_all = |at: usize| {
             FOR_ALL.contains(&self.tokens[at].lower.as_str()) && self.tokens[at - 1].lower == "for"
         };
         let any = (1..self.tokens.len()).any(for_all);
         let whole = !signs.other_rule && !of_a_part;
         // What it says of a thing may take back what is assumed of all things: "it is a left-handed frame", "it has a hole".
-        if things || rule_behind {
+        if moving && signs.found.is_empty() {
+            let anew = false;
+            Touched::Letters { formulas, anew }
+        } else if things || rule_behind {
             Touched::Everything
         } else if letters || whole && !formulas.is_empty() && signs.found.is_empty() && !operator {
             // Of a formula of several letters it may say something that leaves the letters as they are.
@@ -114,6 +127,28 @@ impl Reader<'_> {
             let thing = self.find(&[Class::Thing, Class::Place]);
             sign.is_none() && thing.is_some()
         }
+    }
+
+    /// Whether the first verb behind a thing says what it does or undergoes, and not what it is or has.
+    fn says_what_a_thing_does(&mut self) -> bool {
+        let start = self.at;
+        let denies = self.following(0).iter().any(|word| DENYING.contains(word));
+        let verb = (start..self.tokens.len()).find(|&at| {
+            self.at = at;
+            COPULAS.contains(&self.word()) || self.find(&[Class::Verb]).is_some()
+        });
+        let undergoes = verb.is_some() && COPULAS.contains(&self.word());
+        self.at += usize::from(undergoes);
+        let does = match undergoes {
+            true => self.find(&[Class::Passive, Class::Preposition]),
+            false => self.find(&[Class::Verb]),
+        };
+        self.at = start;
+        let is = |name: &str| match undergoes {
+            true => !OF_WHAT_IT_IS.contains(&name),
+            false => !OWNING.contains(&name),
+        };
+        !denies && does.is_some_and(|verb| is(verb.entry.name))
     }
 
     /// Whether the name of a sign comes next.
