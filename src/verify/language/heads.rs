@@ -8,6 +8,7 @@ pub(crate) const WITHOUT_FRICTION: &str = "without friction";
 pub(crate) const UNIT_VECTOR: &str = "unit vector";
 pub(crate) const VELOCITY: &str = "velocity";
 pub(crate) const ACCELERATION: &str = "acceleration";
+pub(crate) const SPECIFIC_FORCE: &str = "specific force";
 pub(crate) const MASS: &str = "mass";
 /// The point of a body by which its mass moves.
 pub(crate) const MASS_CENTRE: &str = "mass centre";
@@ -183,6 +184,7 @@ mod tests {
             POSITION,
             VELOCITY,
             ACCELERATION,
+            SPECIFIC_FORCE,
             MASS,
             MASS_CENTRE,
             MOMENTUM,

@@ -84,10 +84,11 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         };
         tokens.push(Token {
             kind,
-            lower: if kind == Kind::Word {
-                text.to_lowercase()
-            } else {
-                String::new()
+            lower: match kind {
+                Kind::Word => text.to_lowercase(),
+                // A sign may be a part of the name of a mark.
+                Kind::Formula if text == "\\times" => text.to_string(),
+                _ => String::new(),
             },
             text: text.into_owned(),
             column,

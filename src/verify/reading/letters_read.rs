@@ -10,6 +10,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::system::Vector;
 use crate::verify::reading::bodies_read::WHOLES;
+use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::{Builder, place_in};
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
@@ -29,10 +30,13 @@ use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
 /// Nouns that name no quantity: others hear of these things.
-const THINGS: [&str; 21] = [
+const THINGS: [&str; 24] = [
     PLANE_OF_SYMMETRY,
     "frame",
     "point",
+    "origin",
+    END,
+    APEX,
     MASS_CENTRE,
     "axes",
     "axis",

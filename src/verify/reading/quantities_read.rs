@@ -3,7 +3,7 @@
 use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
     IDENTITY_MATRIX, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE,
-    ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, VECTOR_PART,
+    ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -85,6 +85,7 @@ impl Builder<'_> {
                 let of = self.moving_spot(phrase)?;
                 Quantity::Acceleration { of, relative }
             }
+            SPECIFIC_FORCE => self.specific_force(phrase)?,
             ANGULAR_VELOCITY => {
                 let of = self.frame(phrase.slot(Slot::Of)?)?;
                 Quantity::AngularVelocity { of, relative }
@@ -130,6 +131,16 @@ impl Builder<'_> {
             Some(_) => velocity,
             None => Quantity::Magnitude(velocity.boxed()),
         })
+    }
+
+    /// What an accelerometer at a point reads: the acceleration of the point relative to the inertial frame, less that of
+    /// gravity.
+    fn specific_force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        let at = phrase.slot(Slot::At).or_else(|| phrase.slot(Slot::Of))?;
+        let of = self.spot(at)?;
+        let relative = self.reading.system.ground;
+        let gravity = self.gravity()?;
+        Some(without(Quantity::Acceleration { of, relative }, gravity))
     }
 
     fn placed(&self, phrase: &NounPhrase) -> Option<Quantity> {

@@ -1,0 +1,90 @@
+//! What a sentence that is not understood leaves as it is, and words for what the model knows.
+
+use super::judged;
+
+#[test]
+fn what_a_thing_does_in_words_that_are_not_understood_changes_no_letter() {
+    let sentences = r"
+N is an inertial frame.
+G is the mass centre of the body.
+B is a frame fixed in the body.
+$\vec\omega$ is the angular velocity of B relative to N.
+$\vec L$ is the angular momentum of the body about G relative to N.
+$\mathbf I$ is the inertia tensor of the body about G.
+$\vec v$ is the velocity of G relative to N.
+";
+    let text = r"
+$$ \vec L=\mathbf I\cdot\vec\omega $$
+$$ \vec v=\vec 0 $$
+";
+    // What moves takes nothing back, and what fails may hold by it.
+    let moves = format!("{sentences}The body rests on the gribble of the floor.\n");
+    assert_eq!(judged(&moves, text), "pu");
+    let fixed = format!("{sentences}The body is fixed in the gribble at its rim.\n");
+    assert_eq!(judged(&fixed, text), "pu");
+    // What a thing is may take back what is assumed of all, and so may what it does not do.
+    let is = format!("{sentences}The body is a gribbled one.\n");
+    assert_eq!(judged(&is, text), "uu");
+    let denies = format!("{sentences}The body turns not as a gribble does.\n");
+    assert_eq!(judged(&denies, text), "uu");
+}
+
+#[test]
+fn an_accelerometer_reads_the_acceleration_less_that_of_gravity() {
+    let sentences = r"
+N is an inertial frame.
+$P_B$ is the origin of B, and $P_S$ is a point fixed in B.
+B is a frame fixed in the body.
+A frame at the upper left means components on that frame.
+${}^N R_B$ takes components on B to components on N.
+${}^B R_N$ takes components on N to components on B.
+$O_N$ is the origin of N.
+${}^N p$ is the position of $P_B$ from $O_N$ in components on N.
+${}^N q$ is the position of $P_S$ from $O_N$ in components on N.
+${}^B r$ is the position of $P_S$ from $P_B$ in components on B.
+${}^B\omega$ is the angular velocity of B relative to N in components on B.
+${}^N g$ is the acceleration of gravity in components on N.
+${}^B m$ is the specific force at $P_B$ in components on B.
+${}^B s$ is the reading of the accelerometer at $P_S$ in components on B.
+A vector followed by $\times$ with nothing to its right means the cross-product matrix of that vector.
+";
+    let text = r"
+$$ {}^N \dot R_B={}^N R_B\,{}^B\omega\times $$
+$$ {}^B m={}^B R_N({}^N\ddot p-{}^N g) $$
+$$ {}^B s={}^B m+{}^B\dot\omega\times{}^B r+{}^B\omega\times({}^B\omega\times{}^B r) $$
+$$ {}^B m={}^B R_N({}^N\ddot p+{}^N g) $$
+$$ {}^B s={}^B m+{}^B\dot\omega\times{}^B r $$
+";
+    assert_eq!(judged(sentences, text), "ppprr");
+}
+
+#[test]
+fn premises_that_are_too_large_are_taken_to_the_order_of_the_line() {
+    let sentences = r"
+N is an inertial frame.
+K is a point fixed in N.
+G is the mass centre of the satellite.
+A is a frame that turns relative to N.
+$o_1, o_2, o_3$ are the axes of A.
+$o_3$ is the unit vector from G to K.
+A turns relative to N about $o_2$ at the constant rate $-n$.
+B is a frame fixed in the satellite.
+The axes of B are principal axes of the satellite.
+$\psi, \theta, \phi$ are the Euler angles of B relative to A in the order z, y, x.
+$I$ is the inertia tensor of the satellite about G on B.
+$I_1$, $I_2$, $I_3$ are the principal moments of the satellite about G on B.
+$M$ is the total moment on the satellite about G.
+A vector or tensor without a label has components on B.
+Lines 3 to 6 hold to first order in $\phi, \theta, \psi$.
+$n$ is positive.
+Line 2 is given.
+";
+    let text = r"
+$$ M=3n^2\,o_3\times(I\,o_3) $$
+$$ I_1\ddot\phi+4n^2(I_2-I_3)\phi-n(I_1-I_2+I_3)\dot\psi=0 $$
+$$ I_2\ddot\theta+3n^2(I_1-I_3)\theta=0 $$
+$$ I_3\ddot\psi+n^2(I_2-I_1)\psi+n(I_1-I_2+I_3)\dot\phi=0 $$
+$$ I_1\ddot\phi+3n^2(I_2-I_3)\phi-n(I_1-I_2+I_3)\dot\psi=0 $$
+";
+    assert_eq!(judged(sentences, text), "apppr");
+}
