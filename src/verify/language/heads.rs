@@ -79,6 +79,7 @@ pub(crate) const SCALAR_PART: &str = "scalar part";
 /// Its vector part.
 pub(crate) const VECTOR_PART: &str = "vector part";
 /// A quaternion whose scalar part is written first.
+pub(crate) const QUATERNION: &str = "quaternion";
 pub(crate) const SCALAR_FIRST: &str = "scalar first";
 /// A quaternion whose scalar part is written last.
 pub(crate) const SCALAR_LAST: &str = "scalar last";
@@ -152,6 +153,7 @@ pub(crate) const TENSOR_PRODUCT: &str = "tensor product";
 /// A sign of a custom: the full stop of `a.b`.
 pub(crate) const FULL_STOP: &str = "full stop between vectors";
 /// A dot that is no dot product.
+pub(crate) const PRODUCT_OF_QUATERNIONS: &str = "product of quaternions";
 pub(crate) const QUATERNION_DOT: &str = "dot between quaternions";
 /// Columns of a motion in a plane.
 pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
@@ -213,6 +215,7 @@ mod tests {
             QUATERNION_PRODUCT,
             SCALAR_PART,
             VECTOR_PART,
+            QUATERNION,
             SCALAR_FIRST,
             SCALAR_LAST,
             COMPONENT_ROTATION,
@@ -228,6 +231,7 @@ mod tests {
             NOTHING,
             BOLD_LETTER,
             FULL_STOP,
+            PRODUCT_OF_QUATERNIONS,
             QUATERNION_DOT,
             TENSOR_PRODUCT,
             ROTATION_MATRIX,

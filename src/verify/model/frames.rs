@@ -190,12 +190,24 @@ impl System {
     }
 
     /// The unit quaternion, scalar first, by which q v q* takes components on one frame to components on another, where one
-    /// of them turns by a quaternion against the other.
+    /// of them turns by a quaternion against the other, or both against a third one.
     pub(crate) fn unit_quaternion(
         &mut self,
         to: FrameId,
         from: FrameId,
     ) -> Option<Vector4<Fraction>> {
+        if self.turned_freely(from, to).is_some() {
+            return self.quaternion_of_link(to, from);
+        }
+        let third = self.frames[from].parent?;
+        (self.frames[to].parent == Some(third)).then_some(())?;
+        let first = self.quaternion_of_link(third, from)?;
+        let second = self.quaternion_of_link(to, third)?;
+        Some(mechanics::quaternion_product(&second, &first))
+    }
+
+    /// The same of a frame and the one against which it turns.
+    fn quaternion_of_link(&mut self, to: FrameId, from: FrameId) -> Option<Vector4<Fraction>> {
         let turned = self.turned_freely(from, to)?;
         if !self.frames[turned].by_quaternion {
             return None;

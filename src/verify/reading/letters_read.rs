@@ -3,7 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA,
-    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, REFERENCE, TENSOR_PRODUCT, UPHILL,
+    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, TENSOR_PRODUCT,
+    UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -182,6 +183,7 @@ impl Builder<'_> {
             "constant" => self.read_constants(subjects, declaration),
             "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
+            QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
             "time" => {

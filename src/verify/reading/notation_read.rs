@@ -3,7 +3,8 @@
 use crate::notation::ast::{Factor, Kind, Operator};
 use crate::verify::language::heads::{
     COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, NOTHING,
-    QUATERNION_DOT, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
+    PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
+    TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -139,10 +140,12 @@ impl Builder<'_> {
             let read = self.label_instants(labels, instants, &reach);
             return read.unwrap_or_else(|| self.say_unused(declaration));
         }
-        if let (Sign::Custom(QUATERNION_DOT), NotationMeaning::Noun(product)) = (sign, meaning)
+        if let (Sign::Custom(between), NotationMeaning::Noun(product)) = (sign, meaning)
+            && [QUATERNION_DOT, PRODUCT_OF_QUATERNIONS].contains(between)
             && product.head == QUATERNION_PRODUCT
         {
-            self.reading.letters.customs.quaternion_dots = true;
+            // Side by side quaternions are multiplied so by custom.
+            self.reading.letters.customs.quaternion_dots |= *between == QUATERNION_DOT;
             return;
         }
         let Some(effect) = self.effect(meaning) else {

@@ -7,7 +7,8 @@ use crate::verify::language::statement::{
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::term::letters::Meaning;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::quaternions::Layout;
 use crate::verify::term::value::Value;
@@ -76,6 +77,23 @@ impl Builder<'_> {
             let entry = Quantity::Known(Value::scalar(entry.clone()));
             self.denote(formula, Meaning::Quantity(entry), declaration);
         }
+    }
+
+    /// Whether another sentence says of a letter between which frames it takes components, as a quaternion.
+    pub(super) fn is_told_turn(&self, letter: &Formula) -> bool {
+        let letter = node_of(letter).map(spelled);
+        let own = |term: &Term| match term {
+            Term::Formula(other) => node_of(other).map(spelled) == letter,
+            _ => false,
+        };
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "take",
+                slots,
+            } => layout(slots).is_some() && subjects.iter().any(own),
+            _ => false,
+        })
     }
 
     /// The conjugate of a quaternion, its scalar part or its vector part.

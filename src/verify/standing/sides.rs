@@ -35,26 +35,6 @@ pub(super) fn factors(side: &Node) -> Vec<String> {
     }
 }
 
-/// A vector that is set equal to a quaternion is one without a scalar part.
-fn beside_quaternions(
-    lowering: &mut Lowering<'_>,
-    left: Value,
-    right: Value,
-) -> Result<(Value, Value), Trouble> {
-    let layout = lowering.letters.customs.layout;
-    Ok(match (left.is_quaternion(), right.is_quaternion()) {
-        (true, false) if right.is_vector() => {
-            let right = lowering.system.without_scalar(&right, layout)?;
-            (left, right)
-        }
-        (false, true) if left.is_vector() => {
-            let left = lowering.system.without_scalar(&left, layout)?;
-            (left, right)
-        }
-        _ => (left, right),
-    })
-}
-
 /// Lowers both sides; a lone letter of which nothing is told takes its shape from the other side.
 pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Trouble> {
     let left = lowering.value(&link.left)?;
@@ -78,7 +58,11 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Tro
             settles: Some(name),
         }),
         (None, settles) => {
-            let (left, right) = beside_quaternions(lowering, left, right)?;
+            let (own, other) = (left.clone(), right.clone());
+            let (left, right) = (
+                lowering.beside(left, &other)?,
+                lowering.beside(right, &own)?,
+            );
             let (left, right) = lowering.system.compared(&left, &right, custom)?;
             Ok(Both {
                 left,

@@ -240,6 +240,8 @@ impl<'a> Lowering<'a> {
                 value = value.negated();
             }
             let custom = self.custom();
+            value = self.beside(value, &sum)?;
+            sum = self.beside(sum, &value)?;
             sum = self.system.plus(&sum, &value, custom)?;
         }
         Ok(sum)

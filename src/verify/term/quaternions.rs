@@ -103,6 +103,24 @@ impl System {
 }
 
 impl Lowering<'_> {
+    /// A value beside another one: beside a quaternion a number is one without a vector part, a vector one without a scalar
+    /// part.
+    pub(crate) fn beside(&mut self, value: Value, other: &Value) -> Valued {
+        let layout = self.letters.customs.layout;
+        if !other.is_quaternion() {
+            return Ok(value);
+        }
+        match value.is_vector() {
+            true => self.system.without_scalar(&value, layout),
+            false if value.is_scalar() && !value.is_zero() => {
+                let scalar = value.to_scalar()?;
+                let zero = Fraction::zero;
+                Ok(layout.written(&Vector4::new(scalar, zero(), zero(), zero())))
+            }
+            false => Ok(value),
+        }
+    }
+
     /// q*, q̄: the conjugate of a quaternion.
     pub(super) fn conjugate(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
         let mut base = symbol.clone();
