@@ -67,6 +67,7 @@ pub(crate) mod rotations_read;
 pub(crate) mod shapes_read;
 pub(crate) mod sizes_read;
 pub(crate) mod steps_read;
+pub(crate) mod surface_read;
 pub(crate) mod symmetry_axes;
 pub(crate) mod symmetry_read;
 pub(crate) mod turn_order;

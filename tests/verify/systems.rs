@@ -21,6 +21,7 @@ mod quaternions;
 mod reading;
 mod rods;
 mod rolling;
+mod round_surfaces;
 mod signs_and_orders;
 mod slopes;
 mod sound;

@@ -5,6 +5,7 @@ use crate::verify::model::contact::{Contact, Plane};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, told};
+use crate::verify::reading::surface_read::surface_and_side;
 use crate::verify::term::quantity::Spot;
 
 /// The noun of the point where a body touches something.
@@ -77,6 +78,19 @@ impl Builder<'_> {
         }
     }
 
+    /// The plane on which a body is: the one of the name, or that which touches the round surface of the name.
+    fn plane_under(
+        &mut self,
+        body: BodyId,
+        on: Option<&Term>,
+        declaration: &Declaration,
+    ) -> Option<Plane> {
+        match on.filter(|on| self.surface_said(surface_and_side(on).0).is_some()) {
+            Some(surface) => self.tangent_plane(body, surface, declaration),
+            None => self.plane(on),
+        }
+    }
+
     fn read_contact_point(
         &mut self,
         subjects: &[Term],
@@ -84,7 +98,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let body = self.body(what.slot(Slot::Of)?)?;
-        let plane = self.plane(what.slot(Slot::On))?;
+        let plane = self.plane_under(body, what.slot(Slot::On), declaration)?;
         let [subject] = subjects else { return None };
         let name = name_of(subject)?;
         match self.points.get(&name).copied() {
@@ -120,7 +134,8 @@ impl Builder<'_> {
             plane: plane.clone(),
             point,
         });
-        for other in self.points_in(&plane.name) {
+        let flat = self.plane_called(&plane.name).is_some();
+        for other in self.points_in(&plane.name).into_iter().filter(|_| flat) {
             let way = self.system().position(point, other);
             self.hold(plane.normal.dot(&way), declaration);
         }
@@ -164,9 +179,10 @@ impl Builder<'_> {
         slots: &[(Slot, Term)],
         declaration: &Declaration,
     ) -> Option<()> {
-        let plane = self.plane(slot(slots, Slot::On).or_else(|| slot(slots, Slot::In)))?;
+        let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
         for subject in subjects {
             let body = self.body(subject)?;
+            let plane = self.plane_under(body, on, declaration)?;
             let at = match slot(slots, Slot::At) {
                 Some(term) => match self.point(term) {
                     Some(point) => point,
@@ -191,7 +207,9 @@ impl Builder<'_> {
         let named = self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == CONTACT_POINT => {
                 let of = what.slot(Slot::Of).and_then(|term| self.body(term));
-                subjects.first().filter(|_| of == Some(body))
+                let on = what.slot(Slot::On).map(|on| surface_and_side(on).0);
+                let here = on.and_then(name_of).is_none_or(|on| on == plane.name);
+                subjects.first().filter(|_| here && of == Some(body))
             }
             _ => None,
         });

@@ -213,7 +213,7 @@ impl Builder<'_> {
     }
 
     /// What a sentence says of a plane, by its name.
-    fn plane_called(&self, name: &str) -> Option<&NounPhrase> {
+    pub(super) fn plane_called(&self, name: &str) -> Option<&NounPhrase> {
         self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == "plane" => {
                 let mut names = subjects.iter().filter_map(name_of);

@@ -49,6 +49,17 @@ impl Builder<'_> {
                         }
                     }
                 }
+                // "O is the centre of the bowl", of one that a frame carries.
+                Statement::Is { subjects, what } if what.head == "centre" && whole => {
+                    let surface = what.slot(Slot::Of).and_then(|of| self.surface_said(of));
+                    for name in subjects.iter().filter_map(name_of) {
+                        if let Some(surface) = &surface {
+                            let fixed_in = &mut entry(&mut all, &name).fixed_in;
+                            fixed_in.retain(|frame| *frame != surface.frame);
+                            fixed_in.push(surface.frame);
+                        }
+                    }
+                }
                 // "P is a particle fixed in B": its mass centre is.
                 Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
                     for body in subjects.iter().filter_map(|subject| self.body(subject)) {

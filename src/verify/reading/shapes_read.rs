@@ -41,7 +41,7 @@ pub(super) const CONE: &str = "cone";
 const PARTICLE: &str = "particle";
 
 /// The size of what is round.
-const RADIUS: &str = "radius";
+pub(super) const RADIUS: &str = "radius";
 
 impl<'a> Builder<'a> {
     /// Whether a noun is that of a shape with sizes.
@@ -138,6 +138,9 @@ impl<'a> Builder<'a> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
+        if self.is_rolled_on(body) {
+            return Some(());
+        }
         if SIDED.contains(&what.head) {
             return self.sided_body(body, what, declaration);
         }

@@ -47,7 +47,7 @@ impl Builder<'_> {
     }
 
     /// "`$r$` is the radius of the disc", in a sentence of its own.
-    fn said_size(&self, body: BodyId, wanted: &str) -> Option<Formula> {
+    pub(super) fn said_size(&self, body: BodyId, wanted: &str) -> Option<Formula> {
         let mut said = self.declarations.iter();
         said.find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if is_size(what.head, wanted) => {

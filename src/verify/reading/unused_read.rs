@@ -108,6 +108,16 @@ impl Builder<'_> {
                         self.turns_in_plane(body) && self.moves_in_vertical_plane(body)
                     })
                 }),
+                Statement::Does {
+                    subjects,
+                    verb: "pass",
+                    ..
+                } => subjects.iter().all(|subject| match subject {
+                    Term::Phrase(axis) if axis.head == "axis" => {
+                        self.is_place_of_surface(axis.slot(Slot::Of))
+                    }
+                    _ => false,
+                }),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Is { subjects, what } => self.has_use_for(subjects, what),
                 Statement::Unread { .. } => false,
@@ -153,6 +163,7 @@ impl Builder<'_> {
             || of_loads;
         let placed = match what.head {
             CORNER => subjects.iter().all(|s| self.is_corner_placed(s)),
+            "centre" => self.is_place_of_surface(what.slot(Slot::Of)),
             _ => self.is_end_placed(what),
         };
         let unplaced = UNPLACED.contains(&what.head) && !placed;
