@@ -1,6 +1,7 @@
 //! What a document speaks of: frames, points, bodies, loads, and the laws that tie their quantities together.
 
 pub(crate) mod atoms;
+pub(crate) mod blows;
 pub(crate) mod bodies;
 pub(crate) mod changes;
 pub(crate) mod contact;

@@ -7,6 +7,7 @@ pub(crate) mod axes_in_order;
 pub(crate) mod axes_read;
 mod axis_names;
 pub(crate) mod bases_read;
+pub(crate) mod blows_read;
 pub(crate) mod bodies_read;
 pub(crate) mod body_ends;
 pub(crate) mod body_lines;

@@ -2,6 +2,7 @@
 
 mod angles;
 mod between_instants;
+mod blows;
 mod by_vectors;
 mod counted;
 mod incline;

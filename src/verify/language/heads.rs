@@ -58,6 +58,8 @@ pub(crate) const FRICTION: &str = "friction";
 pub(crate) const INVERSE_MAP: &str = "inverse map";
 /// A point in time.
 pub(crate) const INSTANT: &str = "instant";
+/// What happens at once.
+pub(crate) const SUDDEN: [&str; 2] = ["impulse", "impact"];
 /// The instant from which time is counted.
 pub(crate) const START_OF_MOTION: &str = "start";
 /// What a letter is where nothing is disturbed.

@@ -1,6 +1,7 @@
 //! Rules for marks, labels and customs of notation.
 
 use super::clause::as_formula;
+use super::heads::INSTANT;
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
@@ -124,7 +125,49 @@ impl<'a> Reader<'a> {
         if self.word() == "at" {
             self.at += 1;
         }
+        if let Some(sides) = self.sides_of_event()? {
+            return Ok(NotationMeaning::Noun(sides));
+        }
         Ok(NotationMeaning::Noun(self.phrase()?))
+    }
+
+    /// "the instants just before and just after the impulse"
+    fn sides_of_event(&mut self) -> Read<Option<NounPhrase>> {
+        let start = self.at;
+        self.take_any(&["the"]);
+        self.take_any(&["instant", "instants", "moment", "moments", "time", "times"]);
+        let mut sides: Vec<(&'static str, Vec<Term>)> = vec![];
+        while let Some(adverb) = self.take_side() {
+            let open = self.word() == "and";
+            let event = match open {
+                true => vec![],
+                false => vec![Term::Phrase(Box::new(self.phrase()?))],
+            };
+            sides.push((adverb, event));
+            if !self.take_any(&["and"]) {
+                break;
+            }
+        }
+        let Some((_, event)) = sides.last().cloned() else {
+            self.at = start;
+            return Ok(None);
+        };
+        let which = sides.into_iter().map(|(side, own)| {
+            let of = if own.is_empty() { event.clone() } else { own };
+            let of = of.into_iter().map(|event| (Slot::Of, event)).collect();
+            let side = NounPhrase::new(side, of);
+            (Slot::Which, Term::Phrase(Box::new(side)))
+        });
+        Ok(Some(NounPhrase::new(INSTANT, which.collect())))
+    }
+
+    fn take_side(&mut self) -> Option<&'static str> {
+        let adverb = self.find(&[Class::Adverb])?;
+        let side = ["before", "after"]
+            .into_iter()
+            .find(|side| adverb.entry.name == *side)?;
+        self.at += adverb.length;
+        Some(side)
     }
 
     /// Takes a fixed meaning, if that is all that is said.

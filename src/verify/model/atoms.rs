@@ -4,6 +4,7 @@
 //! variable of the motion has a rate that is free again; one that the frames carry along has a rate that they give.
 
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
+use crate::verify::model::blows::Side;
 use crate::verify::model::changes::Changes;
 use foldhash::HashMap;
 use num_traits::Zero;
@@ -22,6 +23,8 @@ pub(crate) struct Key {
     pub(crate) space: Space,
     /// How many dimensions space has where it is written, if they are not three.
     pub(crate) dimensions: Option<usize>,
+    /// The side of a blow at which it is taken.
+    pub(crate) blow: Option<Side>,
 }
 
 /// Whose writing a key is: the same text may be a quantity of the model, a letter of the document that is told by a law
@@ -45,6 +48,7 @@ impl Key {
             member: None,
             space: Space::Model,
             dimensions: None,
+            blow: None,
         }
     }
 

@@ -7,10 +7,11 @@ use crate::verify::facts::Source;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FamilyId, FrameId, PointId, System};
 use crate::verify::reading::axes_read::{Bearings, NamedAxes};
+use crate::verify::reading::blows_read::{rests_before, tells_letter_at_blow};
 use crate::verify::reading::compounds_read::symbols_in;
 use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::instants_read::is_of_instant;
-use crate::verify::reading::loads_read::{acting_force, rests_before};
+use crate::verify::reading::loads_read::acting_force;
 use crate::verify::reading::misheard::heard_or_unread;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::operators_read::if_rates_are_told_apart;
@@ -62,7 +63,8 @@ pub(crate) fn build(
         .map(|d| if_rates_are_told_apart(d, declarations))
         .partition(|d| {
             let then = has_condition(d) || is_of_instant(d);
-            then && !tells_zero_of_potential(d, declarations) || denies(d)
+            let at_blow = tells_letter_at_blow(d);
+            then && !at_blow && !tells_zero_of_potential(d, declarations) || denies(d)
         });
     let mut builder = Builder::of(&always);
     builder.reading.letters.customs.integrals = true;
@@ -70,6 +72,7 @@ pub(crate) fn build(
     builder.reading.letters.written = written;
     let others = conditional.iter().filter(|d| !is_of_instant(d));
     others.for_each(|d| builder.say_unused(d));
+    builder.look_for_blow();
     builder.name_frames();
     builder.name_bodies();
     builder.read_notation();
@@ -92,6 +95,7 @@ pub(crate) fn build(
     builder.read_bounds(bounds);
     builder.read_premises();
     builder.read_obeyed();
+    builder.hold_at_blow();
     builder.read_roles();
     builder.read_instants(&conditional);
     builder.read_candidates();

@@ -19,6 +19,8 @@ pub(crate) struct Instants {
     pub(crate) tries: usize,
     /// Whether a sentence or a given line tells something of values that labels take at instants.
     pub(crate) labelled: bool,
+    /// Whether sentences tell of both sides of a blow.
+    pub(crate) blow: bool,
     /// The instant whose values are in force, and how many these are.
     pub(crate) taken: Option<(usize, usize)>,
 }

@@ -10,6 +10,7 @@ use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::system::Vector;
+use crate::verify::reading::blows_read::tells_letter_at_blow;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::{Builder, place_in};
@@ -79,6 +80,9 @@ impl Builder<'_> {
 
     fn read_letter(&mut self, declaration: &Declaration) {
         match &declaration.statement {
+            Statement::Is { subjects, what } if tells_letter_at_blow(declaration) => {
+                self.read_letter_at_blow(subjects, what, declaration);
+            }
             Statement::Is { subjects, what } => {
                 self.read_noun(subjects, what, declaration);
                 self.read_where_letter_differs(subjects, what, declaration);

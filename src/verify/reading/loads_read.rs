@@ -7,6 +7,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
+use crate::verify::reading::blows_read::rests_before;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{is_letter, name_of, node_of};
 use crate::verify::reading::reactions_read::is_reaction;
@@ -21,7 +22,7 @@ pub(super) const FORCES: [&str; 7] = [
 /// The noun of a blow.
 const IMPULSE: &str = "impulse";
 
-/// What a body is before a blow.
+/// What a body is that does not move.
 pub(super) const AT_REST: &str = "at rest";
 
 /// The noun of the point where a force acts.
@@ -288,16 +289,6 @@ pub(super) fn is_force_at(what: &NounPhrase) -> bool {
 /// Whether it is said that something is at rest, and of no blow that comes then.
 pub(super) fn rests_for_long(what: &NounPhrase) -> bool {
     what.head == AT_REST && !rests_before(what)
-}
-
-/// Whether it is said that something is at rest before a blow.
-pub(super) fn rests_before(what: &NounPhrase) -> bool {
-    let blow = |term: &Term| matches!(term, Term::Phrase(of) if of.head == IMPULSE);
-    what.head == AT_REST
-        && what.slots.iter().any(|(_, term)| match term {
-            Term::Phrase(when) if when.head == "before" => when.all(Slot::Of).any(blow),
-            _ => false,
-        })
 }
 
 pub(super) fn lasting_of(head: &str) -> Lasting {

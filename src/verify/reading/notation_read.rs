@@ -9,6 +9,8 @@ use crate::verify::language::heads::{
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
 };
+use crate::verify::model::blows::Side;
+use crate::verify::reading::blows_read::side;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
@@ -216,6 +218,14 @@ impl Builder<'_> {
         let which: Vec<&Term> = instants.all(Slot::Which).collect();
         if which.len() != labels.len() {
             return None;
+        }
+        let sides: Option<Vec<Side>> = which.iter().map(|term| side(term)).collect();
+        if let Some(sides) = sides {
+            for (label, side) in labels.iter().zip(sides) {
+                let effect = Effect::AtBlow(side);
+                self.labels_mean(std::slice::from_ref(label), false, &effect, reach);
+            }
+            return Some(());
         }
         for (label, instant) in labels.iter().zip(which) {
             let Term::Formula(instant) = instant else {

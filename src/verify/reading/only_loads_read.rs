@@ -1,11 +1,11 @@
 //! "The weight and the force at O are the only loads on the top": what the loads on a body come to.
 
 use crate::algebra::Fraction;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::loads_read::{FORCES, lasting_of, letters_of, rests_before};
+use crate::verify::reading::loads_read::{FORCES, lasting_of, letters_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -27,8 +27,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let body = self.body_of(premise)?;
-        let lasting = lasting_of(premise.head);
-        if lasting == Lasting::Blow && !self.rests_before_blow(body) {
+        let lasting = self.lasting_of_list(premise);
+        let told = self.reading.instants.blow || self.rests_before_blow(body);
+        if lasting == Lasting::Blow && !told {
             return None;
         }
         let mut listed = Listed {
@@ -52,8 +53,7 @@ impl Builder<'_> {
                 _ => return None,
             }
         }
-        self.hold_loads(&listed, premise.head == "force", declaration);
-        Some(())
+        self.hold_loads(&listed, premise.head == "force", declaration)
     }
 
     /// The forces of which sentences tell where they act.
@@ -179,7 +179,12 @@ impl Builder<'_> {
         known.or_else(|| self.named_load(load, body))
     }
 
-    fn hold_loads(&mut self, listed: &Listed, only_forces: bool, declaration: &Declaration) {
+    fn hold_loads(
+        &mut self,
+        listed: &Listed,
+        only_forces: bool,
+        declaration: &Declaration,
+    ) -> Option<()> {
         let Listed {
             body,
             lasting,
@@ -190,23 +195,27 @@ impl Builder<'_> {
             Some((at, _)) => *at,
             None => self.centre_of(*body),
         };
+        let whole = self.system().whole_load(*body, *lasting);
+        let rest = self.system().rest_of_load(*body, loads, *lasting);
+        let rest = self.left_by_loads(rest, &whole, *lasting)?;
         if let Some((_, Some(letter))) = open {
-            let rest = self.system().rest_of_load(*body, loads, *lasting);
             let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
             self.denote(letter, Meaning::Quantity(known), declaration);
         }
         // The moment first: proofs come out where its variables have the lower numbers.
         if !only_forces {
+            let whole = self.system().whole_moment(*body, about, *lasting);
             let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
+            let moment = self.left_by_loads(moment, &whole, *lasting)?;
             match self.hinge_of(*body) {
                 Some(axis) => self.hold(moment.dot(&axis), declaration),
                 None => self.hold_zero(&moment, declaration),
             }
         }
         if open.is_none() {
-            let rest = self.system().rest_of_load(*body, loads, *lasting);
             self.hold_zero(&rest, declaration);
         }
+        Some(())
     }
 
     /// The axis about which alone a body turns of whose tensor nobody tells that no hinge is needed to keep it there.
@@ -223,17 +232,6 @@ impl Builder<'_> {
         let atoms = &self.reading.system.atoms;
         let told = known.inertia.is_some() && variables.into_iter().all(|v| !atoms.is_unknown(v));
         (!told).then(|| self.system().axis(frame, axis))
-    }
-
-    /// "The rod is at rest before the impulse."
-    fn rests_before_blow(&self, body: usize) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } if rests_before(what) => {
-                let mut bodies = subjects.iter().map(|subject| self.body(subject));
-                bodies.any(|of| of == Some(body))
-            }
-            _ => false,
-        })
     }
 }
 

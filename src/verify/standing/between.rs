@@ -24,6 +24,12 @@ const MOST_RATES: usize = 3;
 impl Judge<'_> {
     /// What a link is worth that speaks of instants; none if it does not.
     pub(super) fn hold_at_instants(&mut self, link: &Link) -> Option<Held> {
+        if self.reading.instants.blow {
+            return Some(self.hold_at_blow(link));
+        }
+        if self.reading.letters.instants.is_empty() {
+            return None;
+        }
         let mut instants = BTreeSet::new();
         let known = [&link.left, &link.right]
             .into_iter()
@@ -43,6 +49,25 @@ impl Judge<'_> {
             at_instants: true,
             ..held
         })
+    }
+
+    /// What a link is worth where sentences tell of both sides of a blow. What moves and has no label is taken at neither of
+    /// them: such a link may be meant of one, and is not denied.
+    fn hold_at_blow(&mut self, link: &Link) -> Held {
+        let sides = self.sides(link, &BTreeSet::new());
+        let held = self.hold_sides(link, sides);
+        let all: Vec<Fraction> = held
+            .sides
+            .iter()
+            .flat_map(|(l, r)| [l, r])
+            .cloned()
+            .collect();
+        let system = &mut self.reading.system;
+        let moves = all.is_empty() || all.iter().any(|side| system.moves_at_blow(side));
+        match held.standing {
+            Standing::Denied if moves => Held::open(OTHER_INSTANTS),
+            _ => held,
+        }
     }
 
     /// The instants that labels and limits of integrals name; false where a rate is taken of what does not change.

@@ -191,9 +191,7 @@ impl Judge<'_> {
         if let Some(held) = self.hold_either(link) {
             return held;
         }
-        if !self.reading.letters.instants.is_empty()
-            && let Some(held) = self.hold_at_instants(link)
-        {
+        if let Some(held) = self.hold_at_instants(link) {
             return held;
         }
         match self.sides(link, &BTreeSet::new()) {

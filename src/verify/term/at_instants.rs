@@ -4,13 +4,14 @@
 use crate::algebra::{Fraction, Place, Variable};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::print;
-use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::atoms::{Key, Motion, Space, fraction};
+use crate::verify::model::blows::Side;
 use crate::verify::model::system::component_text;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{At, Effect, Letter, Letters, spell, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
-use crate::verify::term::value::{AT_INSTANT, Basis, Value, Valued, beyond};
+use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
 use num_traits::Zero;
 
 /// At which instant what stands on a line is.
@@ -44,9 +45,32 @@ impl Kept {
     }
 }
 
+/// A symbol without its last label.
+fn unlabelled(symbol: &Symbol) -> Symbol {
+    let mut base = symbol.clone();
+    base.subscripts.pop();
+    base
+}
+
 impl Letters {
     /// The number of the instant that a label of a letter means.
     pub(crate) fn instant_of(&self, symbol: &Symbol, at: &At) -> Option<usize> {
+        match self.time_of(symbol, at)? {
+            Effect::AtInstant(instant) => Some(*instant),
+            _ => None,
+        }
+    }
+
+    /// The side of a blow that a label of a letter means.
+    fn side_of(&self, symbol: &Symbol, at: &At) -> Option<Side> {
+        match self.time_of(symbol, at)? {
+            Effect::AtBlow(side) => Some(*side),
+            _ => None,
+        }
+    }
+
+    /// What a label of a letter says of the time.
+    fn time_of(&self, symbol: &Symbol, at: &At) -> Option<&Effect> {
         let label = plain(symbol.subscripts.last()?);
         // A letter of which a sentence tells what it is has the label for a part of its name.
         let own = spell(symbol, true);
@@ -54,10 +78,7 @@ impl Letters {
         if self.letters.iter().any(told) {
             return None;
         }
-        match self.label(&label, false, at)?.effect {
-            Effect::AtInstant(instant) => Some(instant),
-            _ => None,
-        }
+        Some(&self.label(&label, false, at)?.effect)
     }
 
     /// Whether a formula has a letter with a label that means an instant.
@@ -79,10 +100,12 @@ impl Letters {
 impl Lowering<'_> {
     /// `p_0`, where the label means an instant: the value of p then.
     pub(super) fn labelled_by_instant(&mut self, symbol: &Symbol) -> Option<Valued> {
+        if let Some(side) = self.letters.side_of(symbol, self.at) {
+            let known = self.told(&unlabelled(symbol)).transpose()?;
+            return Some(known.and_then(|value| self.at_blow(&value, side)));
+        }
         let instant = self.letters.instant_of(symbol, self.at)?;
-        let mut base = symbol.clone();
-        base.subscripts.pop();
-        let known = match self.known(&base) {
+        let known = match self.known(&unlabelled(symbol)) {
             Ok(known) => known?.0,
             Err(trouble) => return Some(Err(trouble)),
         };
@@ -94,6 +117,42 @@ impl Lowering<'_> {
             }
             Present::Untold => beyond(AT_INSTANT),
         })
+    }
+
+    /// A letter that a sentence tells, or with which one tells something else: "B turns about z at the rate `$\\omega$`".
+    fn told(&mut self, symbol: &Symbol) -> Result<Option<Value>, Trouble> {
+        if let Some((value, _)) = self.known(symbol)? {
+            return Ok(Some(value));
+        }
+        let key = Key {
+            space: Space::Unknown,
+            ..Key::new(print::latex(&symbol_node(symbol)))
+        };
+        let atoms = &self.system.atoms;
+        let letter = atoms.find(&key).filter(|letter| !atoms.is_unknown(*letter));
+        Ok(letter.map(|letter| Value::scalar(fraction(letter))))
+    }
+
+    /// A value at a side of a blow.
+    pub(super) fn at_blow(&mut self, value: &Value, side: Side) -> Valued {
+        let entries = value.entries.iter();
+        let then: Option<Vec<Fraction>> = entries
+            .map(|entry| self.system.at_blow(entry, side))
+            .collect();
+        match then {
+            Some(entries) => Ok(value.with_entries(entries)),
+            None => beyond(AT_INSTANT),
+        }
+    }
+
+    /// `\dot\theta_0`, where the label means a side of a blow: the rate is taken before its value there.
+    pub(super) fn rate_at_blow(&self, operand: &Node) -> Option<(Node, Side)> {
+        let Kind::Symbol(symbol) = &operand.kind else {
+            return None;
+        };
+        let side = self.letters.side_of(symbol, self.at)?;
+        let node = symbol_node(&unlabelled(symbol));
+        Some((node, side))
     }
 
     /// A letter on a line that speaks of instants, which changes, and no label says at which of them it is taken.

@@ -1,6 +1,7 @@
 //! What letters, marks, labels and operators mean, and for which part of the document.
 
 use crate::notation::ast::{Kind, Node};
+use crate::verify::model::blows::Side;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::customs::Customs;
 use crate::verify::term::quantity::Quantity;
@@ -154,6 +155,8 @@ pub(crate) enum Effect {
     CrossProductMatrix,
     /// The value at the instant of this number.
     AtInstant(usize),
+    /// The value at a side of a blow.
+    AtBlow(Side),
     /// Nothing: the thing itself.
     Itself,
 }

@@ -21,6 +21,10 @@ impl Lowering<'_> {
         style: DerivativeStyle,
         frame: Option<&FrameLabel>,
     ) -> Valued {
+        if let Some((letter, side)) = self.rate_at_blow(operand) {
+            let rate = self.time_derivative(&letter, order, style, frame)?;
+            return self.at_blow(&rate, side);
+        }
         let value = self.value(operand)?;
         self.rate_of(&value, order, style, frame)
     }

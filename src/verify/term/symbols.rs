@@ -187,6 +187,7 @@ impl Lowering<'_> {
             Effect::RateSeenFrom(frame) => self.system.rate_of_value(&value, *frame)?,
             Effect::CrossProductMatrix => value.cross_product_matrix()?,
             Effect::AtInstant(_) => return beyond(AT_INSTANT),
+            Effect::AtBlow(side) => self.at_blow(&value, *side)?,
             Effect::Itself => value,
         })
     }

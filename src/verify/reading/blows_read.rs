@@ -1,0 +1,224 @@
+//! Both sides of a blow: which labels and letters mean values just before it and just after it, and what holds there.
+
+use crate::verify::language::heads::{INSTANT, SUDDEN};
+use crate::verify::language::statement::{
+    Declaration, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term,
+};
+use crate::verify::model::blows::Side;
+use crate::verify::model::loads::Lasting;
+use crate::verify::model::system::{BodyId, Vector};
+use crate::verify::reading::Premise;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::loads_read::{AT_REST, lasting_of};
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+
+impl Builder<'_> {
+    /// Whether sentences tell of both sides of a blow.
+    pub(super) fn look_for_blow(&mut self) {
+        self.reading.instants.blow = self.declarations.iter().any(|d| match &d.statement {
+            Statement::Notation {
+                meaning: NotationMeaning::Noun(instants),
+                ..
+            } => instants.head == INSTANT && instants.all(Slot::Which).any(|t| side(t).is_some()),
+            _ => tells_letter_at_blow(d),
+        });
+    }
+
+    /// "`$u$` is the velocity of G relative to N just after the impulse."
+    pub(super) fn read_letter_at_blow(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        if self.denote_at_blow(subjects, what, declaration).is_none() {
+            self.say_unused(declaration);
+        }
+    }
+
+    fn denote_at_blow(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
+        let mut always = what.clone();
+        let side = take_side(&mut always)?;
+        let quantity = self.quantity(&always, declaration)?;
+        let mut value = self.system().value_of(&quantity).ok()?;
+        for entry in &mut value.entries {
+            *entry = self.reading.system.at_blow(entry, side)?;
+        }
+        let known = Meaning::Quantity(Quantity::Known(value));
+        self.denote(letter, known, declaration);
+        Some(())
+    }
+
+    /// What always holds does so on both sides of the blow, and what rests before it has no velocity there.
+    pub(super) fn hold_at_blow(&mut self) {
+        if !self.reading.instants.blow {
+            return self.rest_before_no_blow();
+        }
+        for premise in self.reading.premises.clone() {
+            for side in [Side::Before, Side::After] {
+                let then = self.reading.system.at_blow(&premise.equation, side);
+                if let Some(equation) = then.filter(|then| *then != premise.equation) {
+                    self.reading.premises.push(Premise {
+                        equation,
+                        ..premise.clone()
+                    });
+                }
+            }
+        }
+        for declaration in self.declarations {
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && rests_before(what)
+                && self.hold_rest_before(subjects, declaration).is_none()
+            {
+                self.say_unused(declaration);
+            }
+        }
+    }
+
+    /// Without a load that is a blow nothing is made of it that something rests before one.
+    fn rest_before_no_blow(&mut self) {
+        let mut loads = self.reading.system.loads.iter();
+        if loads.any(|load| load.lasting == Lasting::Blow) {
+            return;
+        }
+        for declaration in self.declarations {
+            if matches!(&declaration.statement, Statement::Is { what, .. } if rests_before(what)) {
+                self.say_unused(declaration);
+            }
+        }
+    }
+
+    fn hold_rest_before(&mut self, subjects: &[Term], declaration: &Declaration) -> Option<()> {
+        for subject in subjects {
+            let body = self.body(subject)?;
+            for rate in self.rates_of(body) {
+                let then = self.reading.system.vector_at_blow(&rate, Side::Before)?;
+                self.hold_zero(&then, declaration);
+            }
+        }
+        Some(())
+    }
+
+    /// The velocity of the mass centre of a body, and how it turns.
+    fn rates_of(&mut self, body: BodyId) -> Vec<Vector> {
+        let (ground, centre) = (self.reading.system.ground, self.centre_of(body));
+        let mut rates = vec![self.system().velocity(centre, ground)];
+        if let Some(frame) = self.reading.system.bodies[body].frame {
+            rates.push(self.system().angular_velocity(frame, ground));
+        }
+        rates
+    }
+
+    /// What loads leave of a whole: of a blow whose sides are told, what the momentum changes by beside what they bring.
+    pub(super) fn left_by_loads(
+        &mut self,
+        rest: Vector,
+        whole: &Vector,
+        lasting: Lasting,
+    ) -> Option<Vector> {
+        if lasting == Lasting::Always || !self.reading.instants.blow {
+            return Some(rest);
+        }
+        let system = &mut self.reading.system;
+        let before = system.vector_at_blow(whole, Side::Before)?;
+        let after = system.vector_at_blow(whole, Side::After)?;
+        Some(after - before - (whole.clone() - rest))
+    }
+
+    /// How long the loads act that a sentence lists: of "the only loads" that are all blows the sentence tells no others.
+    pub(super) fn lasting_of_list(&self, premise: &NounPhrase) -> Lasting {
+        let mut listed = premise.all(Slot::With);
+        let blow = |term: &Term| match term {
+            Term::Formula(letter) => self.load(letter, Lasting::Blow).is_some(),
+            Term::Phrase(load) => lasting_of(load.head) == Lasting::Blow,
+            _ => false,
+        };
+        match premise.head == "load" && listed.all(blow) && self.reading.instants.blow {
+            true => Lasting::Blow,
+            false => lasting_of(premise.head),
+        }
+    }
+
+    /// "The rod is at rest before the impulse."
+    pub(super) fn rests_before_blow(&self, body: usize) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if rests_before(what) => {
+                let mut bodies = subjects.iter().map(|subject| self.body(subject));
+                bodies.any(|of| of == Some(body))
+            }
+            _ => false,
+        })
+    }
+}
+
+/// Whether a sentence says what a letter is at a side of a blow.
+pub(super) fn tells_letter_at_blow(declaration: &Declaration) -> bool {
+    let Statement::Is { subjects, what } = &declaration.statement else {
+        return false;
+    };
+    let letters: Vec<&Formula> = formulas(subjects).collect();
+    letters.len() == subjects.len() && what.head != AT_REST && is_at_blow(what)
+}
+
+/// Whether a quantity is one at a side of a blow.
+pub(super) fn is_at_blow(what: &NounPhrase) -> bool {
+    take_side(&mut what.clone()).is_some()
+}
+
+/// Whether it is said that something is at rest before a blow.
+pub(super) fn rests_before(what: &NounPhrase) -> bool {
+    what.head == AT_REST
+        && what
+            .slots
+            .iter()
+            .any(|(_, term)| side(term) == Some(Side::Before))
+}
+
+/// Takes the side of a blow out of a phrase: "the velocity of the mass centre of the rod just before the impulse".
+fn take_side(phrase: &mut NounPhrase) -> Option<Side> {
+    if let Some(at) = phrase
+        .slots
+        .iter()
+        .position(|(_, term)| side(term).is_some())
+    {
+        let (_, term) = phrase.slots.remove(at);
+        return side(&term);
+    }
+    phrase.slots.iter_mut().find_map(|(_, term)| match term {
+        Term::Phrase(inner) => take_side(inner),
+        _ => None,
+    })
+}
+
+/// "just before the impulse"
+pub(super) fn side(term: &Term) -> Option<Side> {
+    let Term::Phrase(when) = term else {
+        return None;
+    };
+    let side = match when.head {
+        "before" => Side::Before,
+        "after" => Side::After,
+        _ => return None,
+    };
+    let mut events = when.all(Slot::Of);
+    let blow = |term: &Term| match term {
+        // Which of several is left open.
+        Term::Phrase(event) => {
+            let mut slots = event.slots.iter();
+            let named = slots.all(|(_, term)| matches!(term, Term::Formula(_)));
+            SUDDEN.contains(&event.head) && event.adjectives.is_empty() && named
+        }
+        _ => false,
+    };
+    (when.slots.len() == 1 && events.any(blow)).then_some(side)
+}
