@@ -97,7 +97,8 @@ pub(crate) const COMPONENT_ROTATION: &str = "passive rotation matrix";
 pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
     ["thrust", "lift", "drag", "aerodynamic force", "buoyancy"];
 /// Nouns of moments of one kind.
-pub(crate) const MOMENTS_OF_A_KIND: [&str; 6] = [
+pub(crate) const MOMENTS_OF_A_KIND: [&str; 7] = [
+    "drag moment",
     "control moment",
     "disturbance moment",
     "motor moment",

@@ -2,6 +2,7 @@
 
 use super::adjectives::goes_with;
 use super::gaps::{counted, is_one_of_several};
+use super::heads::FORCE;
 use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
 use super::reader::{ARTICLES, Read, Reader};
@@ -258,7 +259,9 @@ impl<'a> Reader<'a> {
             self.slots(found.entry, &mut phrase.slots)?;
             self.slots(entry, &mut phrase.slots)?;
         }
-        if phrase.slot(Slot::Of).is_none() {
+        // "the force on the base at P" is not that of the base.
+        let at_point = phrase.head == FORCE && phrase.slot(Slot::At).is_some();
+        if phrase.slot(Slot::Of).is_none() && !at_point {
             for (slot, _) in phrase
                 .slots
                 .iter_mut()

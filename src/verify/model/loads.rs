@@ -31,6 +31,8 @@ pub(crate) struct Load {
     /// The force, or the moment of the couple.
     pub(crate) value: Vector,
     pub(crate) lasting: Lasting,
+    /// The body on which a sentence says that it acts.
+    pub(crate) on: Option<BodyId>,
     /// Whether it is a part of another load, which is counted already.
     pub(crate) part: bool,
 }

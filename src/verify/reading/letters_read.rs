@@ -260,7 +260,9 @@ impl Builder<'_> {
         {
             return;
         }
-        let named = names_load(what) || self.agent_outside(what, None).is_some();
+        let named = names_load(what)
+            || self.agent_outside(what, None).is_some()
+            || self.reversed(what).is_some();
         if named && subjects.iter().any(|subject| may_be_size(subject, what)) {
             return self.say_unused(declaration);
         }

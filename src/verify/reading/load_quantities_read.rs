@@ -1,11 +1,13 @@
 //! Forces and moments by their nouns: of bodies and members, of weights, and of turning frames.
 
+use crate::verify::language::heads::{CONTACT_FORCE, FORCE, MOMENT, NORMAL_FORCE, WEIGHT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::loads_read::FORCES;
+use crate::verify::reading::loads_outside::opposite_load;
+use crate::verify::reading::loads_read::{FORCES, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::quantities_read::without;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
@@ -22,6 +24,10 @@ impl Builder<'_> {
         }
         if self.agent_outside(phrase, None).is_some() {
             return self.named_force(phrase);
+        }
+        if self.acts_outside(phrase) {
+            let reversed = self.reversed(phrase)?;
+            return self.force(&reversed).map(opposite_load);
         }
         if let Some(at) = phrase.slot(Slot::At) {
             return self.point(at).and_then(|at| self.force_at(at));
@@ -89,6 +95,10 @@ impl Builder<'_> {
         if self.agent_outside(phrase, None).is_some() {
             return self.moment_from_outside(phrase);
         }
+        if self.acts_outside(phrase) {
+            let reversed = self.reversed(phrase)?;
+            return self.moment(&reversed, declaration).map(opposite_load);
+        }
         if is_one_of_several(phrase) {
             return None;
         }
@@ -98,30 +108,17 @@ impl Builder<'_> {
                 self.moment_of_letter(&formula.clone(), about, declaration)
             }
             Term::Phrase(load) if inertial(load.head).is_some() => {
-                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
-                let about = about.and_then(|term| self.point(term))?;
+                let about = phrase.slot(Slot::About).and_then(|term| self.point(term))?;
                 about_point(self.inertial_force(load)?, about)
             }
             Term::Phrase(load) if names_load(load) => {
-                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
-                let about = match about {
+                let about = match phrase.slot(Slot::About) {
                     Some(term) => self.point(term)?,
                     None => self.centre_of(self.body_of(load)?),
                 };
                 self.named_moment(load, about)
             }
-            Term::Phrase(load) if load.head == "weight" => {
-                let body = self.body_of(load)?;
-                let force = self.weight(load)?;
-                let at = Spot::Point(self.centre_of(body));
-                let about = phrase.slot(Slot::About).or_else(|| load.slot(Slot::About));
-                let about = about.and_then(|term| self.point(term))?;
-                Some(Quantity::MomentOf {
-                    force: force.boxed(),
-                    at,
-                    about,
-                })
-            }
+            Term::Phrase(load) if is_force(load) => self.moment_of_force(load, phrase, declaration),
             _ => {
                 let of = self.whole_of(phrase)?;
                 let about = self.about(phrase, &of)?;
@@ -131,6 +128,33 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// "the moment of the force `F` about Q", "… of the force at P about Q", "… of the weight about O".
+    fn moment_of_force(
+        &mut self,
+        load: &NounPhrase,
+        moment: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let about = moment.slot(Slot::About).and_then(|term| self.point(term))?;
+        // A part of the force has another moment.
+        if load.slot(Slot::Along).is_some() {
+            return None;
+        }
+        let (force, at) = match (letters_of(load).as_slice(), load.slot(Slot::At)) {
+            ([letter], _) => return self.moment_of_letter(&(*letter).clone(), about, declaration),
+            ([], Some(at)) if load.head == FORCE => (self.force(load)?, self.point(at)?),
+            ([], None) if load.head == WEIGHT => {
+                (self.weight(load)?, self.centre_of(self.body_of(load)?))
+            }
+            _ => return None,
+        };
+        Some(Quantity::MomentOf {
+            force: force.boxed(),
+            at: Spot::Point(at),
+            about,
+        })
     }
 
     /// "the moment of the motor on the wheel"
@@ -208,6 +232,25 @@ fn moment_on_member(phrase: &NounPhrase, of: Whole, about: PointId) -> Quantity 
         (_, true) => without(moment(Quantity::Force(of)), external()),
         _ => moment(Quantity::Force(of)),
     }
+}
+
+/// Whether a noun is that of a force that acts at a point.
+fn is_force(load: &NounPhrase) -> bool {
+    FORCES.contains(&load.head) || matches!(load.head, WEIGHT | CONTACT_FORCE | NORMAL_FORCE)
+}
+
+/// "the moment of the force `F` about Q along `e`": a force is about no point, and what follows that is said of its moment.
+pub(super) fn with_slots_of_moment(phrase: &NounPhrase) -> NounPhrase {
+    let mut moment = phrase.clone();
+    let of = moment.slots.iter_mut().find(|(slot, _)| *slot == Slot::Of);
+    if let (MOMENT, Some((_, Term::Phrase(load)))) = (phrase.head, of)
+        && (is_force(load) || names_load(load) || inertial(load.head).is_some())
+        && let Some(about) = load.slots.iter().position(|(slot, _)| *slot == Slot::About)
+    {
+        let of_moment = load.slots.split_off(about);
+        moment.slots.extend(of_moment);
+    }
+    moment
 }
 
 /// Whether a load is one of several, or of one body on another: it is not the total of them.

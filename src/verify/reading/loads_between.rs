@@ -1,12 +1,14 @@
 //! Loads of one body on another: "the force and the moment of the hub on the wheel". What the other one does to the first
 //! is their opposite.
 
-use crate::verify::language::heads::{FORCE, MOMENT};
+use crate::verify::language::heads::{FORCE, MOMENT, MOMENTS_OF_A_KIND};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term, slot};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, Point, PointId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::load_quantities_read::with_slots_of_moment;
+use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -37,7 +39,7 @@ impl Builder<'_> {
     pub(super) fn load_between(&mut self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Load> {
         let pair = self.acting_pair(phrase, on)?;
         let at = match (phrase.head, phrase.slot(Slot::At)) {
-            (MOMENT, _) => None,
+            (head, _) if head != FORCE => None,
             (_, Some(at)) => Some(self.point(at)?),
             (_, None) => Some(self.joint_of(pair)),
         };
@@ -49,6 +51,7 @@ impl Builder<'_> {
             Some(opposite) if opposite.at == at => Load {
                 called: called(pair),
                 value: -opposite.value.clone(),
+                on: Some(pair.on),
                 ..opposite
             },
             Some(_) => return None,
@@ -59,6 +62,7 @@ impl Builder<'_> {
                     at,
                     value: self.free_load(&text, None)?,
                     lasting: Lasting::Always,
+                    on: Some(pair.on),
                     part: false,
                 }
             }
@@ -110,11 +114,9 @@ impl Builder<'_> {
     /// The loads at a point that act on a body.
     pub(super) fn loads_on(&self, body: BodyId, at: PointId, lasting: Lasting) -> Vec<Load> {
         let loads = self.loads_at(at, lasting).into_iter();
-        let here = |load: &Load| match load.called {
-            Called::Noun(_, on) => on == body,
-            _ => true,
-        };
-        loads.filter(here).collect()
+        loads
+            .filter(|load| load.on.is_none_or(|on| on == body))
+            .collect()
     }
 
     /// Whether a load is one of a body on another.
@@ -177,14 +179,50 @@ impl Builder<'_> {
                 return None;
             };
             let quantity = match load.head {
+                _ if names_load(load) => self.named_force(load),
                 FORCE => self.force(load),
-                MOMENT => self.moment(load, declaration),
+                MOMENT => self.moment(&with_slots_of_moment(load), declaration),
                 _ => None,
             };
             let value = self.system().value_of(&quantity?).ok()?.to_vector().ok()?;
             self.hold_zero(&crate::mechanics::cross(&value, &along), declaration);
         }
         Some(())
+    }
+
+    /// "the motor moment": the one of its kind between a body and another one, where sentences tell whose it is.
+    pub(super) fn kind_between(&mut self, phrase: &NounPhrase, body: BodyId) -> Option<Load> {
+        let of_a_kind = MOMENTS_OF_A_KIND.contains(&phrase.head);
+        let plain = of_a_kind && phrase.slots.is_empty() && phrase.adjectives.is_empty();
+        let loads = self.reading.system.loads.iter();
+        let pairs = loads.filter_map(|load| match &load.called {
+            Called::Noun(noun, on) => {
+                let agent = noun.strip_prefix(phrase.head)?.trim().parse().ok()?;
+                let pair = Pair { agent, on: *on };
+                (agent == body || *on == body).then_some((pair, load.clone()))
+            }
+            _ => None,
+        });
+        let pairs: Vec<(Pair, Load)> = pairs.filter(|_| plain).collect();
+        let (first, _) = pairs.first()?;
+        let same = |pair: &Pair| {
+            [pair.agent, pair.on]
+                .iter()
+                .all(|b| [first.agent, first.on].contains(b))
+        };
+        if !pairs.iter().all(|(pair, _)| same(pair)) {
+            return None;
+        }
+        let (pair, load) = pairs.first()?;
+        Some(match pair.on == body {
+            true => load.clone(),
+            false => Load {
+                called: pair.turned().called(phrase.head),
+                value: -load.value.clone(),
+                on: Some(body),
+                ..load.clone()
+            },
+        })
     }
 
     fn acting_pair(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Pair> {
@@ -194,7 +232,8 @@ impl Builder<'_> {
             None => on?,
         };
         let rigid = |body: BodyId| self.reading.system.bodies[body].frame.is_some();
-        let load = matches!(phrase.head, FORCE | MOMENT);
+        let load = matches!(phrase.head, FORCE | MOMENT)
+            || phrase.slot(Slot::Upon).is_some() && MOMENTS_OF_A_KIND.contains(&phrase.head);
         (load && agent != on && rigid(agent) && rigid(on)).then_some(Pair { agent, on })
     }
 

@@ -2,21 +2,32 @@
 
 use crate::algebra::Place;
 use crate::notation::ast::Kind;
+use crate::verify::language::heads::{FORCE, MOMENT, MOMENTS_OF_A_KIND};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::loads::{Called, Lasting, Load};
-use crate::verify::model::system::{PointId, Vector};
+use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::blows_read::rests_before;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{is_letter, name_of, node_of};
+use crate::verify::reading::compounds_read::symbols_in;
+use crate::verify::reading::names::{is_letter, is_marked_vector, name_of, node_of};
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 
 /// Nouns of what acts at a point.
-pub(super) const FORCES: [&str; 7] = [
-    "force", "thrust", "lift", "drag", "tension", "friction", IMPULSE,
+pub(super) const FORCES: [&str; 9] = [
+    "force",
+    "thrust",
+    "lift",
+    "drag",
+    "tension",
+    "friction",
+    "buoyancy",
+    "aerodynamic force",
+    IMPULSE,
 ];
 
 /// The noun of a blow.
@@ -29,11 +40,12 @@ pub(super) const AT_REST: &str = "at rest";
 const POINT_OF_ACTION: &str = "point of action";
 
 /// What a sentence says of one load.
-struct Acting<'s> {
-    head: &'s str,
-    letter: &'s Formula,
-    at: Option<PointId>,
-    along: Option<&'s Term>,
+pub(super) struct Acting<'s> {
+    pub(super) head: &'s str,
+    pub(super) letter: &'s Formula,
+    pub(super) at: Option<PointId>,
+    pub(super) along: Option<&'s Term>,
+    pub(super) on: Option<BodyId>,
 }
 
 impl Builder<'_> {
@@ -57,6 +69,12 @@ impl Builder<'_> {
                 {
                     self.name_load_between(subjects, what, declaration)
                 }
+                Statement::Is { what, .. } if is_force_at(what) && self.acts_outside(what) => {
+                    match self.reversed(what) {
+                        Some(_) => continue,
+                        None => None,
+                    }
+                }
                 Statement::Is { subjects, what } if is_force_at(what) => {
                     let said = |subject| (what.head, subject);
                     let mut all = subjects.iter().map(said);
@@ -71,7 +89,9 @@ impl Builder<'_> {
             };
             read.unwrap_or_else(|| self.say_unused(declaration));
         }
+        self.read_opposites();
         self.place_forces();
+        self.tell_forces_on_particles();
     }
 
     /// The points where forces act that no other sentence places.
@@ -94,6 +114,7 @@ impl Builder<'_> {
                     letter,
                     at: Some(at),
                     along: None,
+                    on: None,
                 };
                 if let Some(value) = self.value_of_load(&acting, declaration) {
                     self.push_load(&acting, value);
@@ -108,12 +129,21 @@ impl Builder<'_> {
         slots: &[(Slot, Term)],
         declaration: &Declaration,
     ) -> Option<()> {
+        let on = |slot: Slot| match slot {
+            Slot::Of => Slot::Upon,
+            slot => slot,
+        };
+        let slots: Vec<(Slot, Term)> = slots.iter().map(|(s, t)| (on(*s), t.clone())).collect();
+        // What acts on something outside acts on no body of the system.
+        if slot(&slots, Slot::Upon).is_some_and(|on| self.outside(on, None).is_some()) {
+            return None;
+        }
         for subject in subjects {
             match subject {
-                Term::Formula(letter) => self.add_load("force", letter, slots, declaration)?,
+                Term::Formula(letter) => self.add_load(FORCE, letter, &slots, declaration)?,
                 Term::Phrase(load) => {
                     let own = load.slots.iter().filter(|(slot, _)| *slot != Slot::Which);
-                    let slots = [slots, &own.cloned().collect::<Vec<_>>()].concat();
+                    let slots = [slots.as_slice(), &own.cloned().collect::<Vec<_>>()].concat();
                     for letter in load.all(Slot::Which) {
                         let Term::Formula(letter) = letter else {
                             return None;
@@ -148,14 +178,16 @@ impl Builder<'_> {
         {
             return Some(());
         }
-        if at.is_some() != FORCES.contains(&head) || at.is_none() && head != "moment" {
+        let couple = head == MOMENT || MOMENTS_OF_A_KIND.contains(&head);
+        if at.is_some() != FORCES.contains(&head) || at.is_none() && !couple {
             return None;
         }
         let acting = Acting {
             head,
             letter,
             at,
-            along: slot(slots, Slot::Along),
+            along: slot(slots, Slot::Along).or_else(|| self.axis_of_load(slots)),
+            on: slot(slots, Slot::Upon).and_then(|on| self.body(on)),
         };
         if let Some(along) = self.told_direction(head, letter, declaration) {
             let value = self.directed_force(letter, &along, declaration)?;
@@ -163,8 +195,26 @@ impl Builder<'_> {
             return Some(());
         }
         let value = self.value_of_load(&acting, declaration)?;
-        self.push_load(&acting, value);
+        if head == MOMENT || at.is_some() {
+            self.push_load(&acting, value);
+            return Some(());
+        }
+        // A moment of a kind is called by its noun.
+        let on = acting.on.or_else(|| self.only_body())?;
+        if !self
+            .loads_called(&Called::Noun(head.to_owned(), on))
+            .is_empty()
+        {
+            return None;
+        }
+        self.push_named_load((head, on), value, None);
         Some(())
+    }
+
+    /// "The moment `K` about z acts": what a moment is about that is no point.
+    pub(super) fn axis_of_load<'t>(&self, slots: &'t [(Slot, Term)]) -> Option<&'t Term> {
+        let about = slot(slots, Slot::About)?;
+        self.point(about).is_none().then_some(about)
     }
 
     /// "`$F_i$`", where `$i$` numbers things.
@@ -176,30 +226,40 @@ impl Builder<'_> {
         let mut numbers = numbers
             .flat_map(|(subjects, _)| subjects)
             .filter_map(name_of);
-        let symbol = node_of(letter).map(|node| &node.kind);
-        let Some(Kind::Symbol(symbol)) = symbol else {
-            return false;
+        let letters = node_of(letter).map(symbols_in).unwrap_or_default();
+        let carries = |letter: &Formula, index: &String| match node_of(letter).map(|n| &n.kind) {
+            Some(Kind::Symbol(symbol)) => symbol.subscripts.contains(index),
+            _ => false,
         };
-        numbers.any(|index| symbol.subscripts.contains(&index))
+        numbers.any(|index| letters.iter().any(|letter| carries(letter, &index)))
     }
 
-    fn push_load(&mut self, acting: &Acting<'_>, value: Vector) {
+    pub(super) fn push_load(&mut self, acting: &Acting<'_>, value: Vector) {
         let letter = node_of(acting.letter).map(spelled).unwrap_or_default();
         self.system().loads.push(Load {
             called: Called::Letter(letter),
             at: acting.at,
             value,
             lasting: lasting_of(acting.head),
+            on: acting.on,
             part: false,
         });
     }
 
     /// A letter that is told already, the size of a load along an axis, or a vector by its letter.
-    fn value_of_load(&mut self, acting: &Acting<'_>, declaration: &Declaration) -> Option<Vector> {
+    pub(super) fn value_of_load(
+        &mut self,
+        acting: &Acting<'_>,
+        declaration: &Declaration,
+    ) -> Option<Vector> {
         if !is_letter(acting.letter) {
             self.tell_letters_of_place(acting.letter, declaration)?;
             let value = self.formula_value(acting.letter, declaration)?;
-            return value.to_vector().ok();
+            return self.load_along(&value, acting.along, declaration);
+        }
+        if let Some(along) = acting.along.filter(|_| is_marked_vector(acting.letter)) {
+            let along = self.direction(along, declaration, None)?;
+            return self.directed_force(acting.letter, &along, declaration);
         }
         let known = self.quantity_of(acting.letter, declaration);
         let text = acting.letter.source.clone();
@@ -218,7 +278,17 @@ impl Builder<'_> {
             self.denote(acting.letter, meaning, declaration);
         }
         let value = self.system().value_of(&quantity).ok()?;
-        match acting.along {
+        self.load_along(&value, acting.along, declaration)
+    }
+
+    /// A vector, or a number of what points along a direction.
+    fn load_along(
+        &mut self,
+        value: &Value,
+        along: Option<&Term>,
+        declaration: &Declaration,
+    ) -> Option<Vector> {
+        match along {
             Some(along) if value.is_scalar() => {
                 let along = self.direction(along, declaration, None)?;
                 Some(along * value.to_scalar().ok()?)
@@ -276,6 +346,7 @@ impl Builder<'_> {
             at: Some(at),
             value: self.system().value_of(&quantity).ok()?.to_vector().ok()?,
             lasting: lasting_of(head),
+            on: None,
             part: false,
         })
     }

@@ -8,6 +8,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::is_force_at;
 use crate::verify::reading::names::is_marked_vector;
+use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -36,6 +37,11 @@ impl Builder<'_> {
         if let Some(load) = self.load_between(phrase, on) {
             return Some(vec![load]);
         }
+        if let Some(body) = on
+            && let Some(load) = self.kind_between(phrase, body)
+        {
+            return Some(vec![load]);
+        }
         let agent = self.agent_outside(phrase, on);
         if !names_load(phrase) && agent.is_none() {
             return None;
@@ -45,6 +51,8 @@ impl Builder<'_> {
                 Some(upon) => self.body(upon)?,
                 None => on?,
             },
+            // What another body exerts is no load of a kind that acts on that body.
+            (None, Some(_)) if phrase.slot(Slot::Upon).is_some() => return None,
             (None, Some(_)) => self.body_of(phrase)?,
             (None, None) => on.or_else(|| self.body_of(phrase))?,
         };
@@ -55,44 +63,22 @@ impl Builder<'_> {
                 .map(|letter| self.load(letter, Lasting::Always))
                 .collect();
         }
-        let noun = [phrase.adjectives.as_slice(), &[phrase.head]].concat();
-        let noun = noun.join(" ") + &agent.map_or_else(String::new, |agent| format!(" of {agent}"));
-        let called = Called::Noun(noun, body);
+        let noun = noun_of(phrase, agent.as_deref());
+        let called = Called::Noun(noun.clone(), body);
         if self.loads_called(&called).is_empty() {
             if phrase.head == FORCE || FORCES_OF_A_KIND.contains(&phrase.head) {
                 let force = self.free_load(&format!("F_{{{}}}", phrase.head), None)?;
-                self.push_named_load(&called, force, Some(self.centre_of(body)));
+                self.push_named_load((&noun, body), force, Some(self.centre_of(body)));
             }
             let particle = self.reading.system.bodies[body].frame.is_none();
             if !particle || phrase.head != FORCE {
                 let text = format!("M_{{{}}}", phrase.head);
                 let axis = self.axis_of_moment(phrase, body);
                 let moment = self.free_load(&text, axis)?;
-                self.push_named_load(&called, moment, None);
+                self.push_named_load((&noun, body), moment, None);
             }
         }
         Some(self.loads_called(&called))
-    }
-
-    /// What acts on a body from outside: "the force of the air on the aircraft", where no sentence tells what the air is, or
-    /// "the force of the rod on the particle".
-    pub(super) fn agent_outside(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<String> {
-        let agent = phrase.slot(Slot::Of)?;
-        let name = match agent {
-            Term::Name(name) if name.starts_with(char::is_lowercase) => name.as_str(),
-            // A place that may be a body as well: "the base".
-            Term::Phrase(place) if place.slots.is_empty() => place.head,
-            _ => return None,
-        };
-        let known = self.whole(agent).is_some()
-            || self.point(agent).is_some()
-            || self.plane(Some(agent)).is_some()
-            || self.frames.contains_key(name);
-        let upon = phrase.slot(Slot::Upon).and_then(|upon| self.body(upon));
-        let upon = upon.or(on).map(|body| &self.reading.system.bodies[body]);
-        let particle = upon.is_some_and(|body| body.frame.is_none() && body.parts.is_empty());
-        let load = matches!(phrase.head, FORCE | MOMENT) && phrase.slot(Slot::At).is_none();
-        (load && (!known || particle)).then(|| name.to_owned())
     }
 
     pub(super) fn loads_called(&self, called: &Called) -> Vec<Load> {
@@ -121,18 +107,24 @@ impl Builder<'_> {
         }
     }
 
-    fn push_named_load(&mut self, called: &Called, value: Vector, at: Option<PointId>) {
+    pub(super) fn push_named_load(
+        &mut self,
+        (noun, on): (&str, BodyId),
+        value: Vector,
+        at: Option<PointId>,
+    ) {
         self.system().loads.push(Load {
-            called: called.clone(),
+            called: Called::Noun(noun.to_owned(), on),
             at,
             value,
             lasting: Lasting::Always,
+            on: Some(on),
             part: false,
         });
     }
 
     /// The letters of forces that something else exerts on a body at points.
-    fn forces_of_agent(&self, phrase: &NounPhrase, body: BodyId) -> Vec<&Formula> {
+    pub(super) fn forces_of_agent(&self, phrase: &NounPhrase, body: BodyId) -> Vec<&Formula> {
         let said = self.declarations.iter().filter_map(|d| match &d.statement {
             Statement::Is { subjects, what } => {
                 let same = what.head == phrase.head && what.slot(Slot::Of) == phrase.slot(Slot::Of);
@@ -142,23 +134,6 @@ impl Builder<'_> {
             _ => None,
         });
         said.flat_map(|subjects| formulas(subjects)).collect()
-    }
-
-    /// "`M` is the moment of the motor on the rotor along z": what no body of the system exerts has no other component.
-    fn axis_of_moment(&mut self, phrase: &NounPhrase, on: BodyId) -> Option<Vector> {
-        let agent = phrase.slot(Slot::Of).filter(|_| phrase.head == MOMENT)?;
-        let declarations = self.declarations;
-        declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == MOMENT => {
-                let size = matches!(subjects.as_slice(), [Term::Formula(letter)] if !is_marked_vector(letter));
-                let same = size
-                    && what.slot(Slot::Of) == Some(agent)
-                    && self.body(what.slot(Slot::Upon)?) == Some(on);
-                let along = what.slot(Slot::Along).filter(|_| same)?;
-                self.direction(&along.clone(), d, None)
-            }
-            _ => None,
-        })
     }
 
     /// The force of a load that a noun names, or its moment where the noun is of one.
@@ -182,11 +157,50 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<Vec<Load>> {
         let quantity = self.quantity_of(letter, declaration)?;
-        let value = self.system().value_of(&quantity).ok()?.to_vector().ok()?;
+        let value = self.system().value_of(&quantity).ok()?;
+        if let Ok(size) = value.to_scalar() {
+            let value = self.axis_of_letter(letter)? * size;
+            return Some(vec![Load {
+                called: Called::Nothing,
+                at: None,
+                value,
+                lasting: Lasting::Always,
+                on: None,
+                part: false,
+            }]);
+        }
+        let value = value.to_vector().ok()?;
         let loads = &self.reading.system.loads;
         let own = loads
             .iter()
             .find(|load| matches!(load.called, Called::Noun(..)) && load.value == value)?;
         Some(self.loads_called(&own.called.clone()))
     }
+
+    /// "`K` is the moment of the motor on the wheel along z": the axis along which a letter says how much of a moment there is.
+    fn axis_of_letter(&mut self, letter: &Formula) -> Option<Vector> {
+        let declarations = self.declarations;
+        let (along, said) = declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let own = formulas(subjects).any(|own| same_letter(own, letter));
+                let one = MOMENTS_OF_A_KIND.contains(&what.head)
+                    || what.head == MOMENT
+                        && (self.agent_outside(what, None).is_some()
+                            || self.is_between(what, None));
+                let along = what
+                    .slot(Slot::Along)
+                    .or_else(|| self.axis_of_load(&what.slots));
+                along.filter(|_| own && one).map(|along| (along, d))
+            }
+            _ => None,
+        })?;
+        self.direction(&along.clone(), said, None)
+    }
+}
+
+/// What a load is called that a noun names: with its adjectives, and by what exerts it.
+pub(super) fn noun_of(load: &NounPhrase, agent: Option<&str>) -> String {
+    let noun = [load.adjectives.as_slice(), &[load.head]].concat();
+    let agent = agent.map_or_else(String::new, |agent| format!(" of {agent}"));
+    noun.join(" ") + &agent
 }

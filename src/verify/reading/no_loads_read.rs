@@ -1,10 +1,11 @@
 //! Loads of which a sentence says that none act.
 
-use crate::verify::language::heads::{MOMENT, WEIGHT};
+use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Lasting, Load};
-use crate::verify::model::system::Vector;
+use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::loads_read::letters_of;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -31,13 +32,13 @@ impl Builder<'_> {
         let about = self.about(premise, &of)?;
         let body = self.body_of(premise)?;
         let moment = self.system().total_moment(body, about);
-        let others = self.exceptions(premise)?;
+        let others = self.exceptions(premise, declaration)?;
         let others = self.reading.system.moment_of_loads(&others, about);
         self.hold_none(&(moment - others), premise, declaration)
     }
 
     /// "except the weight": the loads that may act.
-    fn exceptions(&mut self, premise: &NounPhrase) -> Option<Vec<Load>> {
+    fn exceptions(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<Vec<Load>> {
         let mut loads = vec![];
         for term in premise.all(Slot::With) {
             let Term::Phrase(except) = term else {
@@ -55,6 +56,11 @@ impl Builder<'_> {
                     .slots
                     .iter()
                     .all(|(slot, _)| matches!(slot, Slot::Of | Slot::Which | Slot::At));
+                if let ([], Some(at)) = (letters_of(load).as_slice(), load.slot(Slot::At)) {
+                    let at = self.point(at).filter(|_| load.head == FORCE)?;
+                    loads.push(self.force_on_at(self.body_of(premise)?, at, declaration)?);
+                    continue;
+                }
                 let told = load.head == WEIGHT || load.slot(Slot::Which).is_some();
                 if !whole || !told {
                     return None;
@@ -65,10 +71,32 @@ impl Builder<'_> {
         Some(loads)
     }
 
+    /// The one force that acts on a body at a point; where none is told it is one of its own.
+    fn force_on_at(
+        &mut self,
+        body: BodyId,
+        at: PointId,
+        declaration: &Declaration,
+    ) -> Option<Load> {
+        match self.loads_on(body, at, Lasting::Always).as_slice() {
+            [told] => Some(told.clone()),
+            [_, ..] => None,
+            [] => {
+                let open = self.open_load(FORCE, at, None, declaration)?;
+                self.system().loads.push(open.clone());
+                Some(open)
+            }
+        }
+    }
+
     /// "the total force on the aircraft other than the weight": what is left of the force, or of the moment about a point.
-    pub(super) fn total_but_for(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+    pub(super) fn total_but_for(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
         let body = self.body_of(phrase)?;
-        let others = self.exceptions(phrase)?;
+        let others = self.exceptions(phrase, declaration)?;
         let rest = match phrase.head {
             MOMENT => {
                 let of = self.whole_of(phrase)?;
@@ -88,7 +116,7 @@ impl Builder<'_> {
     ) -> Option<()> {
         let body = self.body_of(premise)?;
         let force = self.system().total_force(body);
-        let others = self.exceptions(premise)?;
+        let others = self.exceptions(premise, declaration)?;
         let others = others
             .iter()
             .fold(Vector::zeros(), |sum, load| sum + &load.value);

@@ -1,12 +1,14 @@
 //! "The weight and the force at O are the only loads on the top": what the loads on a body come to.
 
 use crate::algebra::Fraction;
+use crate::verify::language::heads::MOMENT;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::loads_read::{FORCES, lasting_of, letters_of};
-use crate::verify::term::letters::Meaning;
+use crate::verify::reading::loads_read::{Acting, FORCES, lasting_of, letters_of};
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -27,6 +29,10 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let body = self.body_of(premise)?;
+        // "the only loads on it about G": of others about another point nothing is said.
+        if premise.slot(Slot::About).is_some() || premise.slot(Slot::Along).is_some() {
+            return None;
+        }
         let lasting = self.lasting_of_list(premise);
         let told = self.reading.instants.blow || self.rests_before_blow(body);
         if lasting == Lasting::Blow && !told {
@@ -45,10 +51,14 @@ impl Builder<'_> {
                 }
                 // "the forces": all that have been told.
                 Term::Phrase(all) if is_all(all) => {
-                    listed.loads.extend(self.told_forces(listed.lasting))
+                    let told = self.told_forces(body, listed.lasting);
+                    listed.loads.extend(told)
                 }
                 // A force along an axis is not told by its letter alone.
-                Term::Phrase(load) if load.slot(Slot::Along).is_some() => return None,
+                Term::Phrase(load) if load.slot(Slot::Along).is_some() => {
+                    let moment = self.moment_along(load, body, declaration)?;
+                    listed.loads.push(moment);
+                }
                 Term::Phrase(load) => self.list_load(load, premise, &mut listed, declaration)?,
                 _ => return None,
             }
@@ -56,12 +66,43 @@ impl Builder<'_> {
         self.hold_loads(&listed, premise.head == "force", declaration)
     }
 
+    /// "the moment `$-c w$` along z": all of a load.
+    fn moment_along(
+        &mut self,
+        load: &NounPhrase,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<Load> {
+        let letters = letters_of(load);
+        let ([letter], MOMENT) = (letters.as_slice(), load.head) else {
+            return None;
+        };
+        let plain = |(slot, _): &(Slot, Term)| matches!(slot, Slot::Which | Slot::Along);
+        let acting = Acting {
+            head: MOMENT,
+            letter,
+            at: None,
+            along: load.slot(Slot::Along),
+            on: Some(body),
+        };
+        let value = self.value_of_load(&acting, declaration);
+        Some(Load {
+            called: Called::Nothing,
+            at: None,
+            value: value.filter(|_| load.slots.iter().all(plain))?,
+            lasting: Lasting::Always,
+            on: Some(body),
+            part: false,
+        })
+    }
+
     /// The forces of which sentences tell where they act.
-    fn told_forces(&self, lasting: Lasting) -> Vec<Load> {
+    fn told_forces(&self, body: BodyId, lasting: Lasting) -> Vec<Load> {
         let loads = self.reading.system.loads.iter();
         let told = loads.filter(|load| {
-            let letter = matches!(load.called, Called::Letter(_));
-            letter && !load.part && load.lasting == lasting && load.at.is_some()
+            let named = matches!(&load.called, Called::Letter(_) | Called::Noun(..));
+            let here = load.on.is_none_or(|on| on == body) && load.at.is_some();
+            named && !load.part && load.lasting == lasting && here
         });
         told.cloned().collect()
     }
@@ -92,6 +133,7 @@ impl Builder<'_> {
                 at: Some(at),
                 value,
                 lasting: listed.lasting,
+                on: None,
                 part: false,
             });
             return Some(());
@@ -117,6 +159,14 @@ impl Builder<'_> {
             return Some(());
         }
         let letters: Vec<&Formula> = letters_of(load);
+        let named = letters
+            .iter()
+            .map(|letter| self.loads_of_letter(letter, declaration));
+        let named: Option<Vec<Vec<Load>>> = named.collect();
+        if let Some(named) = named.filter(|named| !named.is_empty()) {
+            listed.loads.extend(named.into_iter().flatten());
+            return Some(());
+        }
         // A force on a particle acts where that is.
         let particle = self.reading.system.bodies[listed.body].frame.is_none();
         if let (true, None, [letter]) = (
@@ -169,6 +219,7 @@ impl Builder<'_> {
                 at: Some(self.centre_of(body)),
                 value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
                 lasting,
+                on: Some(body),
                 part: false,
             }]);
         }
@@ -195,12 +246,18 @@ impl Builder<'_> {
             Some((at, _)) => *at,
             None => self.centre_of(*body),
         };
-        let whole = self.system().whole_load(*body, *lasting);
-        let rest = self.system().rest_of_load(*body, loads, *lasting);
-        let rest = self.left_by_loads(rest, &whole, *lasting)?;
         if let Some((_, Some(letter))) = open {
+            let rest = self.rest_of_loads(listed)?;
             let known = Quantity::Known(Value::vector(&rest, Basis::Itself));
             self.denote(letter, Meaning::Quantity(known), declaration);
+            self.reading.system.loads.push(Load {
+                called: Called::Letter(node_of(letter).map(spelled).unwrap_or_default()),
+                at: Some(about),
+                value: rest,
+                lasting: *lasting,
+                on: Some(*body),
+                part: true,
+            });
         }
         // The moment first: proofs come out where its variables have the lower numbers.
         if !only_forces {
@@ -213,9 +270,18 @@ impl Builder<'_> {
             }
         }
         if open.is_none() {
+            let rest = self.rest_of_loads(listed)?;
             self.hold_zero(&rest, declaration);
         }
         Some(())
+    }
+
+    /// What is left of the load on a body by those that are listed.
+    fn rest_of_loads(&mut self, listed: &Listed) -> Option<Vector> {
+        let (body, lasting) = (listed.body, listed.lasting);
+        let whole = self.system().whole_load(body, lasting);
+        let rest = self.system().rest_of_load(body, &listed.loads, lasting);
+        self.left_by_loads(rest, &whole, lasting)
     }
 
     /// The axis about which alone a body turns of whose tensor nobody tells that no hinge is needed to keep it there.

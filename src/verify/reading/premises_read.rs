@@ -29,7 +29,12 @@ impl Builder<'_> {
                 self.hold_axis_through(frame, relative, point, &declaration);
             }
         }
-        for declaration in self.declarations {
+        // What lists of loads leave open is told by them, for all other premises.
+        let lists =
+            |d: &&Declaration| matches!(&d.statement, Statement::Premise(list) if list.is("only"));
+        let all = self.declarations.iter();
+        let (lists, others): (Vec<&Declaration>, Vec<&Declaration>) = all.partition(lists);
+        for declaration in lists.into_iter().chain(others) {
             match &declaration.statement {
                 Statement::Premise(_) | Statement::Holds(_) if self.is_full() => {
                     self.say_beyond(declaration);

@@ -12,7 +12,7 @@ use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::densities_read::is_per_unit;
 use crate::verify::reading::elements_read::DENSITY;
-use crate::verify::reading::load_quantities_read::inertial;
+use crate::verify::reading::load_quantities_read::{inertial, with_slots_of_moment};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{
     ANGULAR_VELOCITY, CROSS_PRODUCT_MATRIX, MASS_CENTRE, POTENTIAL, PRINCIPAL_MOMENTS, PRODUCTS,
@@ -39,6 +39,7 @@ impl Builder<'_> {
         if MOTIONS.contains(&phrase.head) && phrase.all(Slot::Of).count() > 1 {
             return None;
         }
+        let phrase = &with_slots_of_moment(phrase);
         let mut quantity = self.bare_quantity(phrase, declaration)?;
         if let Some(along) = phrase.slot(Slot::Along).or_else(|| self.axis_about(phrase))
             && !matches!(phrase.head, UNIT_VECTOR | PART | MOMENT_OF_INERTIA)
@@ -223,7 +224,7 @@ impl Builder<'_> {
                     velocities,
                 }
             }
-            FORCE | MOMENT if leaves_out(phrase) => self.total_but_for(phrase)?,
+            FORCE | MOMENT if leaves_out(phrase) => self.total_but_for(phrase, declaration)?,
             FORCE | CONTACT_FORCE | NORMAL_FORCE | FRICTION => self.force(phrase)?,
             head if inertial(head).is_some() => self.inertial_force(phrase)?,
             MASS_MATRIX => self.mass_matrix(phrase, declaration)?,

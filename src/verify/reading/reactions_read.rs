@@ -161,6 +161,7 @@ impl Builder<'_> {
             at: Some(at),
             value,
             part,
+            on: None,
             lasting: Lasting::Always,
         });
     }
