@@ -10,6 +10,7 @@
 //! understood and what it may change, `terms` lists what a statement speaks of, `print` writes statements as sentences again
 //! and `manual` tells people about all of it. English stands nowhere else.
 
+mod acting;
 pub(crate) mod adjectives;
 mod anaphora;
 mod bodies;
@@ -69,6 +70,7 @@ pub mod statement;
 mod subjects;
 mod suspended;
 pub(crate) mod terms;
+mod the_axis;
 mod together;
 mod told_apart;
 mod told_in_parts;

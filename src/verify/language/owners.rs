@@ -1,9 +1,11 @@
 //! Whose something is: a point has no mass centre and no mass, but the body has to which it belongs.
 
-use super::heads::{FORCE, MASS, MOMENT};
+use super::acting::tell_where_forces_act;
+use super::heads::{FORCE, FORCES_OF_A_KIND, MASS, MOMENT, MOMENTS_OF_A_KIND, WEIGHT};
 use super::kinds::name;
 use super::listed::tell_listed_moments;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::the_axis::tell_the_axis;
 use super::{is_bodily, is_body};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
@@ -82,7 +84,9 @@ fn is_vector(term: &Term) -> bool {
 /// "the total moment of the external forces on the body about C": the total moment on it; and what is said of a vector is not
 /// said of the body that the sentence names before.
 pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
+    tell_the_axis(declarations);
     share_agents(declarations);
+    tell_where_forces_act(declarations);
     tell_listed_moments(declarations);
     let mut letter: Option<(String, Term)> = None;
     for declaration in declarations {
@@ -117,12 +121,13 @@ pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
 
 /// "The force and the moment of the hub are the only loads on the wheel": each is of the hub.
 fn share_agents(declarations: &mut [Declaration]) {
+    let loads = letters_of_loads(declarations);
     for declaration in declarations {
         let Statement::Premise(premise) = &mut declaration.statement else {
             continue;
         };
         let slots = std::mem::take(&mut premise.slots).into_iter();
-        premise.slots = slots.flat_map(at_each_point).collect();
+        premise.slots = slots.flat_map(|said| at_each_point(said, &loads)).collect();
         let own = premise.slots.clone();
         for ((slot, load), (next, behind)) in premise.slots.iter_mut().zip(own.iter().skip(1)) {
             if let (Slot::With, Slot::With, Term::Phrase(load), Term::Phrase(other)) =
@@ -137,8 +142,23 @@ fn share_agents(declarations: &mut [Declaration]) {
     }
 }
 
+/// Letters that sentences say to be loads.
+fn letters_of_loads(declarations: &[Declaration]) -> Vec<Term> {
+    let loads = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if is_load(what.head) => Some(subjects.clone()),
+        _ => None,
+    });
+    loads.flatten().collect()
+}
+
+fn is_load(head: &str) -> bool {
+    matches!(head, FORCE | MOMENT | WEIGHT)
+        || FORCES_OF_A_KIND.contains(&head)
+        || MOMENTS_OF_A_KIND.contains(&head)
+}
+
 /// "the forces at P and Q": one at each.
-fn at_each_point((slot, load): (Slot, Term)) -> Vec<(Slot, Term)> {
+fn at_each_point((slot, load): (Slot, Term), loads: &[Term]) -> Vec<(Slot, Term)> {
     let points = match &load {
         Term::Phrase(load) if slot == Slot::With => load.all(Slot::At).count(),
         _ => 0,
@@ -152,7 +172,8 @@ fn at_each_point((slot, load): (Slot, Term)) -> Vec<(Slot, Term)> {
     }
     let at = |point: &Term| {
         // "the forces at P and Q and the moment of the motor": another load ends the list.
-        if matches!(point, Term::Phrase(load) if matches!(load.head, FORCE | MOMENT)) {
+        let named = matches!(point, Term::Phrase(load) if is_load(load.head));
+        if named || loads.contains(point) {
             return (slot, point.clone());
         }
         let mut one = (**several).clone();
