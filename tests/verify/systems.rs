@@ -11,6 +11,7 @@ mod integrals;
 mod letters;
 mod loads;
 
+mod loads_in_words;
 mod long_laws;
 mod matrices;
 mod members;
