@@ -239,12 +239,17 @@ fn is_force(load: &NounPhrase) -> bool {
     FORCES.contains(&load.head) || matches!(load.head, WEIGHT | CONTACT_FORCE | NORMAL_FORCE)
 }
 
+/// Whether a noun is that of a load, and not of what exerts one.
+pub(super) fn is_load(noun: &NounPhrase) -> bool {
+    is_force(noun) || names_load(noun) || inertial(noun.head).is_some()
+}
+
 /// "the moment of the force `F` about Q along `e`": a force is about no point, and what follows that is said of its moment.
 pub(super) fn with_slots_of_moment(phrase: &NounPhrase) -> NounPhrase {
     let mut moment = phrase.clone();
     let of = moment.slots.iter_mut().find(|(slot, _)| *slot == Slot::Of);
     if let (MOMENT, Some((_, Term::Phrase(load)))) = (phrase.head, of)
-        && (is_force(load) || names_load(load) || inertial(load.head).is_some())
+        && is_load(load)
         && let Some(about) = load.slots.iter().position(|(slot, _)| *slot == Slot::About)
     {
         let of_moment = load.slots.split_off(about);

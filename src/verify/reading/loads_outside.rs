@@ -7,6 +7,7 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::loads::Lasting;
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::load_quantities_read::is_load;
 use crate::verify::reading::loads_read::{Acting, is_force_at};
 use crate::verify::reading::named_loads_read::noun_of;
 use crate::verify::reading::names::is_marked_vector;
@@ -28,8 +29,8 @@ impl Builder<'_> {
     pub(super) fn outside(&self, other: &Term, body: Option<BodyId>) -> Option<String> {
         let name = match other {
             Term::Name(name) if name.starts_with(char::is_lowercase) => name.as_str(),
-            // A place that may be a body as well: "the base".
-            Term::Phrase(place) if place.slots.is_empty() => place.head,
+            // A place that may be a body as well: "the base"; a load exerts none.
+            Term::Phrase(place) if place.slots.is_empty() && !is_load(place) => place.head,
             _ => return None,
         };
         let known = self.whole(other).is_some()

@@ -48,6 +48,38 @@ $$ \dot K=0 $$
     assert_eq!(judged(sentences, text), "pr");
 }
 
+const ROTOR: &str = r"
+N is an inertial frame.
+B is a frame fixed in the rotor.
+$x, y, z$ are the axes of N.
+O is a point fixed in N and in B.
+B turns relative to N about $z$ by the angle $\theta$.
+$I$ is the moment of inertia of the rotor about the axis through O along $z$.
+";
+
+const ROTOR_LINES: &str = r"
+$$ I\ddot\theta=K-c\dot\theta $$
+$$ I\ddot\theta=-K-c\dot\theta $$
+$$ I\ddot\theta=K+c\dot\theta $$
+";
+
+#[test]
+fn the_moments_of_a_motor_and_of_friction_are_listed_by_letter_and_by_noun() {
+    for loads in [
+        r"$K$ is the moment of the motor on the rotor along $z$.
+The friction moment $-c\dot\theta$ along $z$ acts on the rotor.
+The force at O, the moment $K$ and the friction moment are the only loads on the rotor.",
+        r"A motor exerts a moment $K$ along $z$ on the rotor.
+The force at O, the moment of the motor and the moment $-c\dot\theta$ along $z$ are the only loads on the rotor.",
+        r"The motor exerts the moment $K$ on the rotor about $z$.
+The moment $-c\dot\theta$ about $z$ acts on the rotor.
+Only the force at O, the moment $K$ and the moment $-c\dot\theta$ along $z$ act on the rotor.",
+    ] {
+        let sentences = format!("{ROTOR}{loads}\n");
+        assert_eq!(judged(&sentences, ROTOR_LINES), "puu", "{loads}");
+    }
+}
+
 #[test]
 fn no_moment_about_the_axis_is_one_about_the_only_axis_that_is_spoken_of() {
     let sentences = r"
