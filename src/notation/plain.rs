@@ -9,14 +9,16 @@ use crate::notation::token::{Letters, Lexeme, Token};
 use crate::notation::triads::Triads;
 use crate::notation::{items, refused};
 use crate::source::Span;
-use look::{entry, is_formula, is_mathematical, labelled, marker, runs};
+use look::{RELATIONS, entry, is_formula, is_mathematical, labelled, marker, runs};
 
 /// The items of a text whose first byte stands at `offset` of the source.
 pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool, triads: Triads) -> Vec<Item> {
+    let written = text;
     let text = &*without_bold(text);
     let text = &*without_ticks(text);
     let mut reader = Reader {
         text,
+        written,
         offset,
         decimal_comma,
         letters: Letters::Words(triads),
@@ -66,6 +68,13 @@ fn without_ticks(text: &str) -> std::borrow::Cow<'_, str> {
     out.into()
 }
 
+/// Whether a line is one piece of code in Markdown and nothing else: what its author marked so is a formula.
+fn is_code(line: &str) -> bool {
+    let line = line.trim();
+    let inside = line.strip_prefix('`').and_then(|l| l.strip_suffix('`'));
+    inside.is_some_and(|inside| !inside.is_empty() && !inside.contains('`'))
+}
+
 /// What stands before, in and behind the first bold words of a line.
 fn bold(line: &str) -> Option<(&str, &str, &str)> {
     let (before, rest) = line.split_once("**")?;
@@ -96,6 +105,8 @@ fn line_end(text: &str, at: usize) -> usize {
 
 struct Reader<'a> {
     text: &'a str,
+    /// The same with the marks of bold words and of code.
+    written: &'a str,
     offset: usize,
     decimal_comma: bool,
     letters: Letters,
@@ -127,7 +138,8 @@ impl<'a> Reader<'a> {
             start += marker;
         }
         let body = &self.text[start..at + line.len()];
-        if !is_formula(labelled(body).0) {
+        let code = is_code(&self.written[at..end]) && body.contains(RELATIONS);
+        if !code && !is_formula(labelled(body).0) {
             self.sentence(body, start);
             self.prose(" ", start + body.len());
             return end;

@@ -246,3 +246,16 @@ fn stars_around_bold_words_are_no_signs() {
     let text = "So **L = I ω**, that is **p = m v.** ∎";
     assert_eq!(lines(text), ["L = (* I omega)", "p = (* m v)"]);
 }
+
+#[test]
+fn a_line_that_is_one_piece_of_code_is_a_formula_as_a_whole() {
+    let text =
+        "Then\n\n    `w = b + (x + z sin(lam)) u`\n\nand (see lam) so `a = b` holds (by lam).\n";
+    let (document, _) = read("notes.txt", text, Format::Text);
+    let formulas = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(document.source.slice(formula.span).trim()),
+        _ => None,
+    });
+    let formulas: Vec<&str> = formulas.collect();
+    assert_eq!(formulas, ["w = b + (x + z sin(lam)) u", "a = b"]);
+}

@@ -194,9 +194,12 @@ pub(super) fn is_mathematical(text: &str) -> bool {
     })
 }
 
+/// Signs of relation, of which a line of a derivation has one.
+pub(super) const RELATIONS: [char; 6] = ['=', '≈', '≠', '≡', '<', '>'];
+
 /// A line that is a formula as a whole: a relation, and no words but a name before it.
 pub(super) fn is_formula(text: &str) -> bool {
-    let related = text.contains(['=', '≈', '≠', '≡', '<', '>']);
+    let related = text.contains(RELATIONS);
     let mut words = text.split_whitespace();
     let named = words
         .next()

@@ -93,9 +93,10 @@ pub(crate) const FRAME_AT_UPPER: &str = "frame at the upper";
 
 /// The noun of a matrix that takes components on axes to components on these axes after they have turned.
 pub(crate) const COMPONENT_ROTATION: &str = "passive rotation matrix";
+pub(crate) const AERODYNAMIC_FORCE: &str = "aerodynamic force";
 /// Nouns of forces of one kind, of which a body has no more than one.
 pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
-    ["thrust", "lift", "drag", "aerodynamic force", "buoyancy"];
+    ["thrust", "lift", "drag", AERODYNAMIC_FORCE, "buoyancy"];
 /// Nouns of moments of one kind.
 pub(crate) const MOMENTS_OF_A_KIND: [&str; 7] = [
     "drag moment",

@@ -35,6 +35,11 @@ pub(crate) fn should_be(written: &str, wanted: &str) -> String {
     format!("{written} should be {wanted}")
 }
 
+/// A line is taken as given, and what it says is not taken in: others may hold by it.
+pub(crate) fn not_taken_in(line: usize) -> String {
+    format!("line {line} is taken as given, and nothing was made of it")
+}
+
 /// A sum runs up to a letter of which nothing is told.
 pub(crate) fn unknown_bound(bound: &str) -> String {
     format!("no sentence says how far a sum up to `{bound}` runs")

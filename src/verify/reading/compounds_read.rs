@@ -22,8 +22,15 @@ impl Builder<'_> {
             | Kind::Quotient(..)
             | Kind::Function(..) => true,
             Kind::Product(factors) if factors.iter().any(worked) => true,
+            // "`$s z$`": so much along an axis.
+            Kind::Product(factors) if factors.last().is_some_and(|f| self.is_axis(&f.node)) => true,
             _ => !self.names_of_axes(node, declaration).is_empty(),
         }
+    }
+
+    fn is_axis(&self, node: &Node) -> bool {
+        let name = name_of(&Term::Formula(Formula::of(node)));
+        name.is_some_and(|name| self.axes.get(&name).is_some())
     }
 
     /// What a formula is said to be: the meaning of a letter, or a premise of what is worked out.

@@ -168,10 +168,8 @@ impl Builder<'_> {
             return;
         }
         // Without labels no custom says which product is which.
-        if is_of_products(what) && formulas(subjects).any(|f| labelled_entry(f).is_none()) {
-            return self.say_unused(declaration);
-        }
-        if rests_for_long(what) {
+        let unlabelled = |f: &Formula| labelled_entry(f).is_none();
+        if is_of_products(what) && formulas(subjects).any(unlabelled) || rests_for_long(what) {
             return self.say_unused(declaration);
         }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);

@@ -2,7 +2,7 @@
 
 use crate::algebra::Place;
 use crate::notation::ast::Kind;
-use crate::verify::language::heads::{FORCE, MOMENT, MOMENTS_OF_A_KIND};
+use crate::verify::language::heads::{AERODYNAMIC_FORCE, FORCE, MOMENT, MOMENTS_OF_A_KIND};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
@@ -26,7 +26,7 @@ pub(super) const FORCES: [&str; 9] = [
     "tension",
     "friction",
     "buoyancy",
-    "aerodynamic force",
+    AERODYNAMIC_FORCE,
     IMPULSE,
 ];
 

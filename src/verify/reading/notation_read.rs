@@ -142,10 +142,7 @@ impl Builder<'_> {
             let read = self.label_instants(labels, instants, &reach);
             return read.unwrap_or_else(|| self.say_unused(declaration));
         }
-        if let (Sign::Custom(between), NotationMeaning::Noun(product)) = (sign, meaning)
-            && [QUATERNION_DOT, PRODUCT_OF_QUATERNIONS].contains(between)
-            && product.head == QUATERNION_PRODUCT
-        {
+        if let (Sign::Custom(between), true) = (sign, is_quaternion_product(sign, meaning)) {
             // Side by side quaternions are multiplied so by custom.
             self.reading.letters.customs.quaternion_dots |= *between == QUATERNION_DOT;
             return;
@@ -355,6 +352,17 @@ fn has_outer_product(formula: &Formula) -> bool {
     let outer = |f: &Factor| f.operator == Operator::Tensor;
     match node_of(formula).map(|node| &node.kind) {
         Some(Kind::Product(factors)) => factors.iter().any(outer),
+        _ => false,
+    }
+}
+
+/// "A dot between quaternions means the quaternion product", "quaternions side by side mean …".
+fn is_quaternion_product(sign: &Sign, meaning: &NotationMeaning) -> bool {
+    match (sign, meaning) {
+        (Sign::Custom(between), NotationMeaning::Noun(product)) => {
+            [QUATERNION_DOT, PRODUCT_OF_QUATERNIONS].contains(between)
+                && product.head == QUATERNION_PRODUCT
+        }
         _ => false,
     }
 }

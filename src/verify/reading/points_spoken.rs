@@ -51,14 +51,7 @@ impl Builder<'_> {
                 }
                 // "O is the centre of the bowl", of one that a frame carries.
                 Statement::Is { subjects, what } if what.head == "centre" && whole => {
-                    let surface = what.slot(Slot::Of).and_then(|of| self.surface_said(of));
-                    for name in subjects.iter().filter_map(name_of) {
-                        if let Some(surface) = &surface {
-                            let fixed_in = &mut entry(&mut all, &name).fixed_in;
-                            fixed_in.retain(|frame| *frame != surface.frame);
-                            fixed_in.push(surface.frame);
-                        }
-                    }
+                    self.speak_of_surface(&mut all, subjects, what);
                 }
                 // "P is a particle fixed in B": its mass centre is.
                 Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
@@ -94,6 +87,16 @@ impl Builder<'_> {
             }
         }
         all
+    }
+
+    fn speak_of_surface(&self, all: &mut Vec<Spoken>, subjects: &[Term], what: &NounPhrase) {
+        let surface = what.slot(Slot::Of).and_then(|of| self.surface_said(of));
+        let Some(surface) = surface else { return };
+        for name in subjects.iter().filter_map(name_of) {
+            let fixed_in = &mut entry(all, &name).fixed_in;
+            fixed_in.retain(|frame| *frame != surface.frame);
+            fixed_in.push(surface.frame);
+        }
     }
 
     /// The name of what is said to lie somewhere; a mass centre without one is that of its body.

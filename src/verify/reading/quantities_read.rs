@@ -69,11 +69,10 @@ impl Builder<'_> {
     ) -> Option<Quantity> {
         let ground = self.reading.system.ground;
         let relative = told(phrase.slot(Slot::RelativeTo), ground, |t| self.frame(t));
-        if matches!(phrase.head, "position" | "displacement") {
-            return self.placed(phrase);
-        }
-        if phrase.head == "distance" {
-            return self.distance(phrase, declaration);
+        match phrase.head {
+            "position" | "displacement" => return self.placed(phrase),
+            "distance" => return self.distance(phrase, declaration),
+            _ => {}
         }
         let relative = relative?;
         Some(match phrase.head {

@@ -59,25 +59,17 @@ impl Builder<'_> {
 
     /// Verbs and nouns for which the model has no law yet.
     pub(super) fn say_unheard(&mut self) {
-        let inclined = self.is_tilted();
         self.say_instants_unheard();
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does {
                     verb: "incline", ..
-                } => inclined,
+                } => self.is_tilted(),
                 Statement::Does {
                     subjects,
                     verb: "lie",
                     slots,
-                } => {
-                    let told = |subject: &Term| {
-                        let body = self.body(subject);
-                        body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
-                    };
-                    let placed = [Slot::At, Slot::On, Slot::From];
-                    slots.iter().any(|(slot, _)| placed.contains(slot)) || subjects.iter().all(told)
-                }
+                } => self.is_lying_heard(subjects, slots),
                 Statement::Does {
                     subjects,
                     verb: "point",
@@ -112,12 +104,7 @@ impl Builder<'_> {
                     subjects,
                     verb: "pass",
                     ..
-                } => subjects.iter().all(|subject| match subject {
-                    Term::Phrase(axis) if axis.head == "axis" => {
-                        self.is_place_of_surface(axis.slot(Slot::Of))
-                    }
-                    _ => false,
-                }),
+                } => subjects.iter().all(|axis| self.is_axis_of_surface(axis)),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Is { subjects, what } => self.has_use_for(subjects, what),
                 Statement::Unread { .. } => false,
@@ -126,6 +113,26 @@ impl Builder<'_> {
             if !heard {
                 self.say_unused(declaration);
             }
+        }
+    }
+
+    /// Whether it is said where a thing lies, or along what line of its shape.
+    fn is_lying_heard(&self, subjects: &[Term], slots: &[(Slot, Term)]) -> bool {
+        let told = |subject: &Term| {
+            let body = self.body(subject);
+            body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
+        };
+        let placed = [Slot::At, Slot::On, Slot::From];
+        slots.iter().any(|(slot, _)| placed.contains(slot)) || subjects.iter().all(told)
+    }
+
+    /// "The axis of the tube passes through O": of a tube in which something rolls.
+    fn is_axis_of_surface(&self, axis: &Term) -> bool {
+        match axis {
+            Term::Phrase(axis) if axis.head == "axis" => {
+                self.is_place_of_surface(axis.slot(Slot::Of))
+            }
+            _ => false,
         }
     }
 

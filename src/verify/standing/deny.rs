@@ -1,6 +1,8 @@
 //! Links that fail: numbers that show it, or why none are given.
 
 use crate::algebra::{Fraction, Variable};
+use crate::source::Span;
+use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::proof::prove;
 use crate::verify::facts::small::Small;
@@ -11,9 +13,11 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::kept::moves;
+use crate::verify::standing::roles::Purpose;
 use crate::verify::standing::shown::shown;
-use crate::verify::standing::verdicts::Standing;
+use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::integrals::has_integral;
+use crate::verify::term::letters::At;
 use num_traits::Zero;
 
 impl Judge<'_> {
@@ -21,6 +25,10 @@ impl Judge<'_> {
     pub(super) fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
         if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
             held.doubt = Some(nothing_made_of(sentence));
+            return;
+        }
+        if let Some(line) = self.again.not_taken_in.first() {
+            held.doubt = Some(messages::not_taken_in(*line));
             return;
         }
         if self.speaks_of_one_element(link, residuals) {
@@ -36,6 +44,38 @@ impl Judge<'_> {
                 ));
                 held.beyond = true;
             }
+        }
+    }
+
+    /// Keeps in mind a line that is taken as given and of which nothing is made: others may hold by it.
+    pub(super) fn note_if_not_taken_in(
+        &mut self,
+        purpose: Purpose,
+        verdict: Answer,
+        held: &[Held],
+    ) {
+        let line = self.at.line;
+        self.again.not_taken_in.retain(|open| *open != line);
+        let taken = purpose.declared && matches!(purpose.role, Role::Given | Role::Assume);
+        let ill_typed = |h: &Held| h.standing == Standing::Denied && h.sides.is_empty();
+        if taken && (verdict == Answer::Undecided || held.iter().any(ill_typed)) {
+            self.again.not_taken_in.push(line);
+        }
+    }
+
+    /// The same of one that cannot be read.
+    pub(super) fn note_unreadable(&mut self, span: Span) {
+        let place = self.document.place(span.start);
+        let at = At {
+            cell: place.cell,
+            line: place.line,
+            ..self.at.clone()
+        };
+        if matches!(
+            self.reading.role(&at, &[]),
+            Some(Role::Given | Role::Assume)
+        ) {
+            self.again.not_taken_in.push(at.line);
         }
     }
 

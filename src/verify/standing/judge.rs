@@ -100,6 +100,8 @@ pub(super) struct Again {
     waiting: Vec<Waiting>,
     /// The accepted ones that define letters.
     defining: Vec<(Source, Vec<Link>)>,
+    /// Lines that are taken as given and of which nothing was made.
+    pub(super) not_taken_in: Vec<usize>,
     /// What links came to in other documents; none once a line of this one was taken into the facts.
     pub(super) recalled: Option<Recalled>,
 }
@@ -215,7 +217,7 @@ impl<'a> Judge<'a> {
                     self.line(line, formula.display, named);
                 }
                 Row::Expression(_) => self.words.sentence.push_str(" ⟨⟩ "),
-                Row::Unreadable { .. } => {}
+                Row::Unreadable { span, .. } => self.note_unreadable(*span),
             }
         }
         self.words.sentence.extend([" ", RELATION, " "]);
@@ -385,6 +387,7 @@ impl<'a> Judge<'a> {
                 verdict = verdict.max(self.settle(held, &self.source()));
             }
         }
+        self.note_if_not_taken_in(purpose, verdict, &held);
         let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
         let proof = proofs.split_first().map(|(first, rest)| {
             rest.iter()

@@ -65,3 +65,48 @@ $$ \dot{\mathbf q} = -\frac12\begin{bmatrix} \vec\omega \\ 0\end{bmatrix}\otimes
 ";
     assert_eq!(judged(&sentences, text), "prp");
 }
+
+#[test]
+fn quaternions_side_by_side_are_multiplied_and_numbers_beside_them_are_scalars() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+$q$ takes components on B to components on N, scalar first.
+$q$ and $p$ are unit quaternions.
+$p$ takes components on N to components on B, scalar first.
+Letters side by side are the Hamilton product of quaternions.
+$w$ is the angular velocity of B relative to N in components on N, written as a quaternion with the scalar part zero.
+$u$ is the angular velocity of B relative to N in components on B, written as a pure quaternion with scalar part zero.
+A star means the conjugate.
+";
+    let text = r"
+$$ \dot q=\tfrac12 w q $$
+$$ \dot q=\tfrac12 q w $$
+$$ \dot q=\tfrac12 q u $$
+$$ w = q u q^* $$
+$$ q p = 1 $$
+$$ q p = -1 $$
+";
+    assert_eq!(judged(sentences, text), "prpppr");
+}
+
+#[test]
+fn quaternions_of_two_frames_that_turn_against_a_third_are_composed() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+D is a frame that turns relative to N.
+$q$ takes components on B to components on N, scalar first.
+$p$ takes components on D to components on N, scalar first.
+$r$ takes components on B to components on D, scalar first.
+$\eta$ is the scalar part of $r$.
+$\epsilon$ is the vector part of $r$.
+A star means the conjugate.
+";
+    let text = r"
+$$ r=p^* q $$
+$$ r=q p^* $$
+$$ \eta^2+\epsilon^T\epsilon=1 $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}

@@ -1,6 +1,6 @@
 //! What a sentence that is not understood leaves as it is, and words for what the model knows.
 
-use super::judged;
+use super::{judged, verdicts};
 
 #[test]
 fn what_a_thing_does_in_words_that_are_not_understood_changes_no_letter() {
@@ -19,14 +19,14 @@ $$ \vec v=\vec 0 $$
 ";
     // What moves takes nothing back, and what fails may hold by it.
     let moves = format!("{sentences}The body rests on the gribble of the floor.\n");
-    assert_eq!(judged(&moves, text), "pu");
+    assert_eq!(verdicts(&moves, text).0, "pu");
     let fixed = format!("{sentences}The body is fixed in the gribble at its rim.\n");
-    assert_eq!(judged(&fixed, text), "pu");
+    assert_eq!(verdicts(&fixed, text).0, "pu");
     // What a thing is may take back what is assumed of all, and so may what it does not do.
     let is = format!("{sentences}The body is a gribbled one.\n");
-    assert_eq!(judged(&is, text), "uu");
+    assert_eq!(verdicts(&is, text).0, "uu");
     let denies = format!("{sentences}The body turns not as a gribble does.\n");
-    assert_eq!(judged(&denies, text), "uu");
+    assert_eq!(verdicts(&denies, text).0, "uu");
 }
 
 #[test]
@@ -87,4 +87,40 @@ $$ I_3\ddot\psi+n^2(I_2-I_1)\psi+n(I_1-I_2+I_3)\dot\phi=0 $$
 $$ I_1\ddot\phi+3n^2(I_2-I_3)\phi-n(I_1-I_2+I_3)\dot\psi=0 $$
 ";
     assert_eq!(judged(sentences, text), "apppr");
+}
+
+#[test]
+fn by_a_given_line_that_is_not_taken_in_others_may_hold() {
+    let sentences = r"
+N is an inertial frame.
+G is the mass centre of the body.
+B is a frame fixed in the body.
+$\vec\omega$ is the angular velocity of B relative to N.
+$\vec a$ is a unit vector fixed in B.
+$s$ is a constant.
+";
+    let text = r"
+$$ \vec\omega=s+\vec a $$
+$$ \vec a\times\vec\omega=\vec 0 $$
+";
+    let given = format!("{sentences}Line 2 is given.\n");
+    assert_eq!(judged(&given, text), "uu");
+    assert_eq!(&judged(sentences, text)[1..], "r");
+}
+
+#[test]
+fn a_number_times_an_axis_is_a_value_and_no_letter() {
+    let sentences = r"
+N is an inertial frame.
+$x$, $y$, $z$ are the axes of N.
+B is a frame fixed in the ball.
+The angular velocity of the ball relative to N is $s z$.
+$w$ is the angular velocity of the ball relative to N.
+";
+    let text = r"
+$$ w=s z $$
+$$ w\cdot x=0 $$
+$$ w\cdot z=2s $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
 }
