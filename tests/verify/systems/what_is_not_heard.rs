@@ -104,7 +104,7 @@ $$ \vec\omega=s+\vec a $$
 $$ \vec a\times\vec\omega=\vec 0 $$
 ";
     let given = format!("{sentences}Line 2 is given.\n");
-    assert_eq!(judged(&given, text), "uu");
+    assert_eq!(judged(&given, text), "au");
     assert_eq!(&judged(sentences, text)[1..], "r");
 }
 
