@@ -80,8 +80,8 @@ pub(crate) const QUATERNION_PRODUCT: &str = "quaternion product";
 pub(crate) const SCALAR_PART: &str = "scalar part";
 /// Its vector part.
 pub(crate) const VECTOR_PART: &str = "vector part";
-/// A quaternion whose scalar part is written first.
 pub(crate) const QUATERNION: &str = "quaternion";
+/// A quaternion whose scalar part is written first.
 pub(crate) const SCALAR_FIRST: &str = "scalar first";
 /// A quaternion whose scalar part is written last.
 pub(crate) const SCALAR_LAST: &str = "scalar last";
@@ -156,8 +156,9 @@ pub(crate) const ROTATION_MATRIX: &str = "rotation matrix";
 pub(crate) const TENSOR_PRODUCT: &str = "tensor product";
 /// A sign of a custom: the full stop of `a.b`.
 pub(crate) const FULL_STOP: &str = "full stop between vectors";
-/// A dot that is no dot product.
+/// Quaternions side by side.
 pub(crate) const PRODUCT_OF_QUATERNIONS: &str = "product of quaternions";
+/// A dot that is no dot product.
 pub(crate) const QUATERNION_DOT: &str = "dot between quaternions";
 /// Columns of a motion in a plane.
 pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";

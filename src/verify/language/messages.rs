@@ -36,8 +36,8 @@ pub(crate) fn should_be(written: &str, wanted: &str) -> String {
 }
 
 /// A line is taken as given, and what it says is not taken in: others may hold by it.
-pub(crate) fn not_taken_in(line: usize) -> String {
-    format!("line {line} is taken as given, and nothing was made of it")
+pub(crate) fn not_taken_in(line: &str) -> String {
+    format!("{line} is taken as given, and nothing was made of it")
 }
 
 /// A sum runs up to a letter of which nothing is told.

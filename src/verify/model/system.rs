@@ -114,6 +114,13 @@ pub(crate) struct Body {
     pub(crate) members: Option<String>,
 }
 
+impl Body {
+    /// Whether it is a particle: no frame is fixed in it, and it is no whole of several bodies.
+    pub(crate) fn is_particle(&self) -> bool {
+        self.frame.is_none() && self.parts.is_empty()
+    }
+}
+
 /// A family of symmetric wheels that turn about axes fixed in a body.
 #[derive(Clone, Debug)]
 pub(crate) struct Rotors {

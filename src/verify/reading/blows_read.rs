@@ -6,7 +6,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::blows::Side;
 use crate::verify::model::loads::Lasting;
-use crate::verify::model::system::{BodyId, Vector};
+use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::Premise;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -119,20 +119,24 @@ impl Builder<'_> {
         rates
     }
 
-    /// What loads leave of a whole: of a blow whose sides are told, what the momentum changes by beside what they bring.
+    /// What loads leave of all that acts on a body, or of its moment about a point: of a blow whose sides are told, what the momentum changes by beside what they bring.
     pub(super) fn left_by_loads(
         &mut self,
         rest: Vector,
-        whole: &Vector,
+        (body, about): (BodyId, Option<PointId>),
         lasting: Lasting,
     ) -> Option<Vector> {
         if lasting == Lasting::Always || !self.reading.instants.blow {
             return Some(rest);
         }
         let system = &mut self.reading.system;
-        let before = system.vector_at_blow(whole, Side::Before)?;
-        let after = system.vector_at_blow(whole, Side::After)?;
-        Some(after - before - (whole.clone() - rest))
+        let whole = match about {
+            Some(about) => system.whole_moment(body, about, lasting),
+            None => system.whole_load(body, lasting),
+        };
+        let before = system.vector_at_blow(&whole, Side::Before)?;
+        let after = system.vector_at_blow(&whole, Side::After)?;
+        Some(after - before - (whole - rest))
     }
 
     /// How long the loads act that a sentence lists: of "the only loads" that are all blows the sentence tells no others.

@@ -29,8 +29,8 @@ impl Builder<'_> {
     }
 
     fn is_axis(&self, node: &Node) -> bool {
-        let name = name_of(&Term::Formula(Formula::of(node)));
-        name.is_some_and(|name| self.axes.get(&name).is_some())
+        let name = name_of_formula(&Formula::of(node));
+        self.axes.get(&name).is_some()
     }
 
     /// What a formula is said to be: the meaning of a letter, or a premise of what is worked out.

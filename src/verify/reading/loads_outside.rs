@@ -37,8 +37,7 @@ impl Builder<'_> {
             || self.point(other).is_some()
             || self.plane(Some(other)).is_some()
             || self.frames.contains_key(name);
-        let body = body.map(|body| &self.reading.system.bodies[body]);
-        let particle = body.is_some_and(|body| body.frame.is_none() && body.parts.is_empty());
+        let particle = body.is_some_and(|body| self.reading.system.bodies[body].is_particle());
         (!known || particle).then(|| name.to_owned())
     }
 

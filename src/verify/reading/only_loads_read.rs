@@ -261,9 +261,8 @@ impl Builder<'_> {
         }
         // The moment first: proofs come out where its variables have the lower numbers.
         if !only_forces {
-            let whole = self.system().whole_moment(*body, about, *lasting);
             let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
-            let moment = self.left_by_loads(moment, &whole, *lasting)?;
+            let moment = self.left_by_loads(moment, (*body, Some(about)), *lasting)?;
             match self.hinge_of(*body) {
                 Some(axis) => self.hold(moment.dot(&axis), declaration),
                 None => self.hold_zero(&moment, declaration),
@@ -279,9 +278,8 @@ impl Builder<'_> {
     /// What is left of the load on a body by those that are listed.
     fn rest_of_loads(&mut self, listed: &Listed) -> Option<Vector> {
         let (body, lasting) = (listed.body, listed.lasting);
-        let whole = self.system().whole_load(body, lasting);
         let rest = self.system().rest_of_load(body, &listed.loads, lasting);
-        self.left_by_loads(rest, &whole, lasting)
+        self.left_by_loads(rest, (body, None), lasting)
     }
 
     /// The axis about which alone a body turns of whose tensor nobody tells that no hinge is needed to keep it there.

@@ -16,10 +16,7 @@ impl Builder<'_> {
                 continue;
             };
             let body = self.body_of(list).filter(|_| list.is("only"));
-            let particle = |body: &BodyId| {
-                let body = &self.reading.system.bodies[*body];
-                body.frame.is_none() && body.parts.is_empty()
-            };
+            let particle = |body: &BodyId| self.reading.system.bodies[*body].is_particle();
             let Some(body) = body.filter(particle) else {
                 continue;
             };

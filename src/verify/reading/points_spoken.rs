@@ -141,8 +141,9 @@ impl Builder<'_> {
     /// The particle of a name: where it lies its mass does.
     fn particle(&self, name: &str) -> Option<usize> {
         let body = *self.bodies.get(name)?;
-        let whole = &self.reading.system.bodies[body];
-        (whole.frame.is_none() && whole.parts.is_empty()).then_some(body)
+        self.reading.system.bodies[body]
+            .is_particle()
+            .then_some(body)
     }
 
     /// A point by its name; what is said of a part of the document alone comes later.
@@ -229,8 +230,7 @@ impl Builder<'_> {
             let stands_for = self.points_of.iter().any(|(own, _)| *own == body);
             let hub = self.hubs.iter().any(|(_, hub)| *hub == body);
             if !known && !stands_for && !hub {
-                let particle = whole.frame.is_none() && whole.parts.is_empty();
-                let name = if particle {
+                let name = if whole.is_particle() {
                     whole.name.clone()
                 } else {
                     self.name_of_centre(body)

@@ -6,9 +6,9 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::definitions_read::is_written_as;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::node_of;
-use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::quaternions::Layout;
 use crate::verify::term::value::Value;
@@ -81,18 +81,12 @@ impl Builder<'_> {
 
     /// Whether another sentence says of a letter between which frames it takes components, as a quaternion.
     pub(super) fn is_told_turn(&self, letter: &Formula) -> bool {
-        let letter = node_of(letter).map(spelled);
-        let own = |term: &Term| match term {
-            Term::Formula(other) => node_of(other).map(spelled) == letter,
-            _ => false,
-        };
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Does {
-                subjects,
-                verb: "take",
-                slots,
-            } => layout(slots).is_some() && subjects.iter().any(own),
-            _ => false,
+        self.declarations.iter().any(|d| {
+            let taking = d.statement.does("take");
+            taking.is_some_and(|(subjects, slots)| {
+                let own = |term: &Term| is_written_as(term, letter);
+                layout(slots).is_some() && subjects.iter().any(own)
+            })
         })
     }
 

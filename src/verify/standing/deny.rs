@@ -17,7 +17,6 @@ use crate::verify::standing::roles::Purpose;
 use crate::verify::standing::shown::shown;
 use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::integrals::has_integral;
-use crate::verify::term::letters::At;
 use num_traits::Zero;
 
 impl Judge<'_> {
@@ -28,7 +27,7 @@ impl Judge<'_> {
             return;
         }
         if let Some(line) = self.again.not_taken_in.first() {
-            held.doubt = Some(messages::not_taken_in(*line));
+            held.doubt = Some(messages::not_taken_in(&line.text()));
             return;
         }
         if self.speaks_of_one_element(link, residuals) {
@@ -54,7 +53,7 @@ impl Judge<'_> {
         verdict: Answer,
         held: &[Held],
     ) {
-        let line = self.at.line;
+        let line = self.source();
         self.again.not_taken_in.retain(|open| *open != line);
         let taken = purpose.declared && matches!(purpose.role, Role::Given | Role::Assume);
         let ill_typed = |h: &Held| h.standing == Standing::Denied && h.sides.is_empty();
@@ -66,16 +65,10 @@ impl Judge<'_> {
     /// The same of one that cannot be read.
     pub(super) fn note_unreadable(&mut self, span: Span) {
         let place = self.document.place(span.start);
-        let at = At {
-            cell: place.cell,
-            line: place.line,
-            ..self.at.clone()
-        };
-        if matches!(
-            self.reading.role(&at, &[]),
-            Some(Role::Given | Role::Assume)
-        ) {
-            self.again.not_taken_in.push(at.line);
+        (self.at.cell, self.at.line) = (place.cell, place.line);
+        let role = self.reading.role(&self.at, &[]);
+        if matches!(role, Some(Role::Given | Role::Assume)) {
+            self.again.not_taken_in.push(self.source());
         }
     }
 

@@ -101,7 +101,7 @@ pub(super) struct Again {
     /// The accepted ones that define letters.
     defining: Vec<(Source, Vec<Link>)>,
     /// Lines that are taken as given and of which nothing was made.
-    pub(super) not_taken_in: Vec<usize>,
+    pub(super) not_taken_in: Vec<Source>,
     /// What links came to in other documents; none once a line of this one was taken into the facts.
     pub(super) recalled: Option<Recalled>,
 }

@@ -58,11 +58,7 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Tro
             settles: Some(name),
         }),
         (None, settles) => {
-            let (own, other) = (left.clone(), right.clone());
-            let (left, right) = (
-                lowering.beside(left, &other)?,
-                lowering.beside(right, &own)?,
-            );
+            let (left, right) = lowering.beside_quaternions(left, right)?;
             let (left, right) = lowering.system.compared(&left, &right, custom)?;
             Ok(Both {
                 left,

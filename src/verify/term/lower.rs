@@ -240,8 +240,7 @@ impl<'a> Lowering<'a> {
                 value = value.negated();
             }
             let custom = self.custom();
-            value = self.beside(value, &sum)?;
-            sum = self.beside(sum, &value)?;
+            (sum, value) = self.beside_quaternions(sum, value)?;
             sum = self.system.plus(&sum, &value, custom)?;
         }
         Ok(sum)

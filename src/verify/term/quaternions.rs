@@ -103,13 +103,21 @@ impl System {
 }
 
 impl Lowering<'_> {
-    /// A value beside another one: beside a quaternion a number is one without a vector part, a vector one without a scalar
-    /// part.
-    pub(crate) fn beside(&mut self, value: Value, other: &Value) -> Valued {
-        let layout = self.letters.customs.layout;
-        if !other.is_quaternion() {
-            return Ok(value);
+    /// Two values that are added or compared, both as quaternions where one of them is.
+    pub(crate) fn beside_quaternions(
+        &mut self,
+        a: Value,
+        b: Value,
+    ) -> Result<(Value, Value), Trouble> {
+        match a.is_quaternion() || b.is_quaternion() {
+            true => Ok((self.as_quaternion(a)?, self.as_quaternion(b)?)),
+            false => Ok((a, b)),
         }
+    }
+
+    /// A value beside a quaternion: a number is one without a vector part, a vector one without a scalar part.
+    fn as_quaternion(&mut self, value: Value) -> Valued {
+        let layout = self.letters.customs.layout;
         match value.is_vector() {
             true => self.system.without_scalar(&value, layout),
             false if value.is_scalar() && !value.is_zero() => {
