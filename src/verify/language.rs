@@ -13,6 +13,7 @@
 mod acting;
 pub(crate) mod adjectives;
 mod anaphora;
+mod at_zero;
 mod bodies;
 mod body_axes;
 mod clause;

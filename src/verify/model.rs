@@ -16,3 +16,4 @@ pub(crate) mod powers;
 pub(crate) mod sums;
 pub(crate) mod system;
 pub(crate) mod unplaced;
+pub(crate) mod virtual_power;

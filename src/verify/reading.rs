@@ -82,6 +82,7 @@ mod wants;
 pub(crate) mod wheels_read;
 pub(crate) mod wholes;
 pub(crate) mod work_frame;
+mod working_loads_read;
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};

@@ -34,6 +34,7 @@ mod textbook;
 mod told_by_equations;
 mod told_by_lines;
 mod told_places;
+mod virtual_power;
 mod what_is_not_heard;
 mod whose;
 mod word_for_word;

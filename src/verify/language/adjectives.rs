@@ -71,7 +71,7 @@ const OF_THINGS: [&str; 46] = [
 ];
 
 /// What is understood of some quantities alone.
-const OF_QUANTITIES: [(&str, &[&str]); 32] = [
+const OF_QUANTITIES: [(&str, &[&str]); 33] = [
     (
         "initial",
         &[
@@ -110,6 +110,7 @@ const OF_QUANTITIES: [(&str, &[&str]); 32] = [
     ),
     ("no", &[heads::FORCE, heads::MOMENT, heads::MASS, "load"]),
     ("only", &[heads::FORCE, heads::MOMENT, "load", "impulse"]),
+    ("working", &[heads::FORCE, heads::MOMENT, "load"]),
     ("not", &["zero", "symmetric", "constant", "small"]),
     ("small", &["disturbance", "angle", "oscillation", "value"]),
     ("axial", &[heads::MOMENT_OF_INERTIA]),

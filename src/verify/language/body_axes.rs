@@ -3,7 +3,7 @@
 use super::heads::{NORMAL, SIZES};
 use super::is_body;
 use super::kinds::name;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::say_besides;
 use std::collections::BTreeSet;
 
@@ -107,28 +107,44 @@ pub(crate) fn end_the_same(declarations: &mut [Declaration]) {
     }
 }
 
-/// "The rotor turns about O": O is fixed in the rotor as well.
+/// "The rotor turns about O", "A turns relative to N about the axis through O along z" where O is fixed in N: O is fixed in
+/// what turns as well.
 pub(crate) fn fix_pivots(declarations: &mut Vec<Declaration>) {
-    let points: BTreeSet<String> = declarations
-        .iter()
-        .filter_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == "point" => {
-                Some(subjects.iter().filter_map(name))
-            }
-            _ => None,
-        })
-        .flatten()
-        .collect();
+    let said = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "point" => Some((subjects, what)),
+        _ => None,
+    });
+    let mut points: BTreeSet<String> = BTreeSet::new();
+    let mut fixed: Vec<(String, Term)> = vec![];
+    for (subjects, what) in said {
+        for point in subjects.iter().filter_map(name) {
+            let carriers = what.all(Slot::FixedIn).cloned();
+            fixed.extend(carriers.map(|carrier| (point.clone(), carrier)));
+            points.insert(point);
+        }
+    }
+    let on_axis = |slots: &[(Slot, Term)], about: &Term| {
+        let Term::Phrase(axis) = about else {
+            return None;
+        };
+        let relative = slot(slots, Slot::RelativeTo)?;
+        let through = axis.slot(Slot::Through)?;
+        let rests = fixed.contains(&(name(through)?, relative.clone()));
+        rests.then(|| through.clone())
+    };
     say_besides(declarations, |statement| {
         let Some((subjects, slots)) = statement.does("turn") else {
             return vec![];
         };
         let about = slots.iter().filter(|(slot, _)| *slot == Slot::About);
-        let pivots = about.filter(|(_, at)| name(at).is_some_and(|name| points.contains(&name)));
+        let pivots = about.filter_map(|(_, at)| match name(at) {
+            Some(name) => points.contains(&name).then(|| at.clone()),
+            None => on_axis(slots, at),
+        });
         let fixed = subjects.iter().map(|body| (Slot::FixedIn, body.clone()));
         let point = NounPhrase::new("point", fixed.collect());
         pivots
-            .map(|(_, pivot)| Statement::one_is(pivot.clone(), point.clone()))
+            .map(|pivot| Statement::one_is(pivot, point.clone()))
             .collect()
     });
 }

@@ -1,6 +1,7 @@
 //! Declarations: sentences that an author writes, one a line.
 
 use super::anaphora::{referring, with_it_inside, with_its};
+use super::at_zero::tell_axes_at_zero;
 use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::clause::Said;
@@ -157,6 +158,7 @@ fn in_plain_terms(
     place_particles(&mut declarations);
     name_numbered(&mut declarations);
     tell_axes(&mut declarations);
+    tell_axes_at_zero(&mut declarations);
     tell_hinges(&mut declarations);
     name_ends(&mut declarations);
     move_along_lines(&mut declarations, macros);

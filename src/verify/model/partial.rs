@@ -1,7 +1,7 @@
 //! Partial derivatives, with everything put in that laws tell.
 
 use crate::algebra::{Fraction, Place, Polynomial, Variable, compose, solve_linear};
-use crate::verify::model::atoms::{Nature, fraction, whole};
+use crate::verify::model::atoms::{Motion, Nature, fraction, whole};
 use crate::verify::model::system::System;
 use num_traits::Zero;
 use std::collections::HashMap;
@@ -84,13 +84,24 @@ impl System {
                 Nature::Root(inside) | Nature::UnitPart(inside) => {
                     self.partial(&inside, variable) / (whole(2) * fraction(kernel))
                 }
-                _ => continue,
+                _ => match self.atoms.atom(kernel).motion.clone() {
+                    Motion::Rate(rate) => self.carried_slope(&rate, variable),
+                    _ => continue,
+                },
             };
             if !slope.is_zero() {
                 sum += of.partial(kernel) * slope;
             }
         }
         sum
+    }
+
+    /// ∂w/∂x of what frames carry along: it depends on where things are alone, so this is ∂ẇ/∂ẋ.
+    fn carried_slope(&self, rate: &Fraction, variable: Variable) -> Fraction {
+        match self.atoms.known_rate(variable) {
+            Some(speed) => self.expanded(rate, &[speed]).partial(speed),
+            None => Fraction::zero(),
+        }
     }
 
     pub(super) fn kernel_slope(

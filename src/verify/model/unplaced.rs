@@ -23,6 +23,11 @@ impl Atoms {
         !self.unplaced.is_empty()
     }
 
+    /// Whether a variable is such a coordinate.
+    pub(crate) fn is_unplaced(&self, variable: Variable) -> bool {
+        self.unplaced.contains(&variable)
+    }
+
     /// Whether something may vanish where points happen to lie of which no sentence tells it: a sum of squares does not.
     pub(crate) fn hangs_on_places(&self, of: &Polynomial) -> bool {
         if self.unplaced.is_empty() {

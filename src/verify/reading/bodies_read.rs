@@ -410,9 +410,9 @@ pub(super) fn masses_said(what: &NounPhrase) -> impl Iterator<Item = &Formula> {
     })
 }
 
-/// The family that a plural names: "the wheels", "the particles".
+/// The family that a plural names: "the wheels", "the particles", and not "the chassis".
 pub(super) fn singular(plural: &str) -> Option<&str> {
     plural
         .strip_suffix('s')
-        .filter(|rest| !rest.ends_with('s') && rest.len() > 2)
+        .filter(|rest| !rest.ends_with(['s', 'i']) && rest.len() > 2)
 }

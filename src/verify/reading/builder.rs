@@ -94,6 +94,7 @@ pub(crate) fn build(
     builder.make_up_of_references();
     builder.read_bounds(bounds);
     builder.read_premises();
+    builder.hold_working_loads();
     builder.read_obeyed();
     builder.hold_at_blow();
     builder.read_roles();

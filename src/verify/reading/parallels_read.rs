@@ -3,7 +3,7 @@
 use crate::mechanics::cross;
 use crate::verify::language::heads::{MOMENT, POSITION, WITHOUT_FRICTION};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::Vector;
+use crate::verify::model::system::{BodyId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::lying_read::axis_of;
@@ -74,6 +74,7 @@ impl Builder<'_> {
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
             }
+            "move" if self.moves_in_plane(subjects, slots, declaration) => {}
             "move" | "slide" if self.are_points(subjects) => {
                 let read = self.read_moving(subjects, slots, declaration);
                 read.unwrap_or_else(|| self.say_unused(declaration));
@@ -166,6 +167,58 @@ impl Builder<'_> {
             _ => return None,
         }
         Some(())
+    }
+
+    /// "The arm moves in the plane of x and y": no point of it moves across that.
+    pub(super) fn moves_in_plane(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> bool {
+        let Some((bodies, normal)) = self.plane_of_motion(subjects, slots, declaration) else {
+            return false;
+        };
+        let ground = self.reading.system.ground;
+        for body in bodies {
+            let (centre, frame) = (self.centre_of(body), self.reading.system.bodies[body].frame);
+            let across = self.system().velocity(centre, ground).dot(&normal);
+            self.hold(across, declaration);
+            if let Some(frame) = frame {
+                let omega = self.system().angular_velocity(frame, ground);
+                self.hold_zero(&cross(&normal, &omega), declaration);
+            }
+        }
+        true
+    }
+
+    /// The bodies that a sentence says to move in a plane, and the normal of this.
+    pub(super) fn plane_of_motion(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<(Vec<BodyId>, Vector)> {
+        let [(Slot::In, Term::Phrase(plane))] = slots else {
+            return None;
+        };
+        let bodies = self.bodies_named(subjects)?;
+        Some((bodies, self.normal_of_plane(plane, declaration)?))
+    }
+
+    /// Rigid bodies by their names, and all bodies by "the system".
+    fn bodies_named(&self, subjects: &[Term]) -> Option<Vec<BodyId>> {
+        let system = &self.reading.system;
+        let named: Option<Vec<BodyId>> = subjects.iter().map(|s| self.body(s)).collect();
+        let named = match subjects {
+            [Term::Name(all)] if all == "system" && named.is_none() => {
+                (0..system.bodies.len()).collect()
+            }
+            _ => named?,
+        };
+        let parts: Vec<BodyId> = named.into_iter().flat_map(|b| system.wholes(b)).collect();
+        let extended = parts.iter().any(|&body| !system.bodies[body].is_particle());
+        (extended && !parts.is_empty()).then_some(parts)
     }
 
     /// What stands on "the plane of x and y", or on "a plane perpendicular to z".

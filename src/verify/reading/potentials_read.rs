@@ -7,10 +7,13 @@ use crate::verify::language::heads::{
 };
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Nature, whole};
+use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
+use crate::verify::reading::working_loads_read::{MOTOR, is_joint};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
+use num_traits::Zero;
 use std::collections::HashMap;
 
 /// Forces that may do work.
@@ -77,6 +80,7 @@ impl<'a> Builder<'a> {
         let weighs = |phrase: &NounPhrase| phrase.head == WEIGHT || phrase.head == POTENTIAL;
         let holds = |load: &NounPhrase| {
             load.slot(Slot::At).is_some()
+                || load.slot(Slot::Of).is_some_and(is_joint)
                 || matches!(load.head, CONTACT_FORCE | NORMAL_FORCE | FRICTION)
         };
         let works = |load: &NounPhrase| match weighs(load) {
@@ -93,6 +97,7 @@ impl<'a> Builder<'a> {
             Statement::Premise(premise) if premise.is("only") => {
                 premise.all(Slot::With).any(|load| match load {
                     Term::Phrase(load) => works(load),
+                    Term::Name(name) => name != MOTOR,
                     _ => true,
                 })
             }
@@ -118,18 +123,43 @@ impl<'a> Builder<'a> {
         }
         let zeros = self.zeros_of_potential(body);
         let value = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
-        let mass = self.reading.system.mass(body);
         let from = match zeros.as_slice() {
             [(place, _)] if !place.is_condition() => self.point(level_of(place))?,
             _ => 0,
         };
-        let centre = self.centre_of(body);
-        let way = self.reading.system.position(centre, from);
-        let mut energy = -(value.dot(&way) * mass);
+        let mut energy = self.weight_energy(body, &value, from);
         if zeros.iter().any(|(place, _)| place.is_condition()) {
             energy = energy.clone() - self.under(&energy, &zeros)?;
         }
         Some(Quantity::Known(Value::scalar(energy)))
+    }
+
+    /// −m g · r from a point. Parts that stay at a height of which nothing is told add nothing.
+    fn weight_energy(&mut self, body: usize, gravity: &Vector, from: PointId) -> Fraction {
+        let parts = self.reading.system.wholes(body);
+        let (count, mut energies) = (parts.len(), vec![]);
+        for part in parts {
+            let energy = self.part_energy(part, gravity, from);
+            let rate = self.system().atoms.derivative(&energy);
+            let steady = self.system().expanded(&rate, &[]).is_zero();
+            let atoms = &self.reading.system.atoms;
+            if !(steady && energy.variables().iter().any(|v| atoms.is_unplaced(*v))) {
+                energies.push(energy);
+            }
+        }
+        match energies.len() == count {
+            true => self.part_energy(body, gravity, from),
+            false => energies
+                .into_iter()
+                .fold(Fraction::zero(), |sum, e| sum + e),
+        }
+    }
+
+    fn part_energy(&mut self, body: usize, gravity: &Vector, from: PointId) -> Fraction {
+        let mass = self.reading.system.mass(body);
+        let centre = self.centre_of(body);
+        let way = self.reading.system.position(centre, from);
+        -(gravity.dot(&way) * mass)
     }
 
     /// Where a sentence says that the potential energy of a body is zero.

@@ -338,12 +338,19 @@ impl<'a> Builder<'a> {
             Term::Phrase(size) => size.head == RADIUS,
             _ => false,
         });
-        let Some(axis) = self.told_axis_of_shape(body).filter(|_| sized) else {
+        let axis = self.told_axis_of_shape(body);
+        let Some(axis) = axis.or(self.axle_of(body)).filter(|_| sized) else {
             return;
         };
         if let Some(radius) = self.size_of_shape(body, what, RADIUS, declaration) {
             self.reading.system.bodies[body].round = Some(Round::Rim { radius, axis });
         }
+    }
+
+    /// The axis of its frame about which a body turns, where it turns in no other way.
+    fn axle_of(&self, body: BodyId) -> Option<usize> {
+        let frame = self.reading.system.bodies[body].frame?;
+        self.reading.system.frames[frame].turn.axis()
     }
 
     /// A tensor on the axes of a shape, which has its own axis along one of those of a body's frame. One that is the

@@ -92,6 +92,11 @@ impl Builder<'_> {
                 } if self.are_points(subjects) => true,
                 Statement::Does {
                     subjects,
+                    verb: "move",
+                    slots,
+                } if self.plane_of_motion(subjects, slots, declaration).is_some() => true,
+                Statement::Does {
+                    subjects,
                     verb: "swing" | "move" | "fall",
                     ..
                 } => subjects.iter().all(|subject| {
