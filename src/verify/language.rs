@@ -41,6 +41,7 @@ mod kinds;
 mod lexicon;
 mod listed;
 mod manual;
+mod member_wheels;
 mod members;
 pub(crate) mod messages;
 mod mounted;

@@ -20,6 +20,7 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
+use super::member_wheels::turn_members;
 use super::mounted::mount_wheels;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
@@ -172,6 +173,7 @@ fn in_plain_terms(
     introduce(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
+    turn_members(&mut declarations);
     mount_wheels(&mut declarations);
     turn_to_frames(&mut declarations);
     fix_pivots(&mut declarations);

@@ -42,7 +42,7 @@ fn direction(axis: &Term) -> &Term {
 }
 
 /// The bodies that are symmetric by a sentence, each with the direction of its axis.
-fn symmetries(declaration: &Declaration) -> Vec<(&Term, &Term)> {
+pub(super) fn symmetries(declaration: &Declaration) -> Vec<(&Term, &Term)> {
     match &declaration.statement {
         Statement::Is { subjects, what } if what.head == "symmetric" => {
             let axis = what.slot(Slot::About).map(direction);

@@ -18,7 +18,8 @@ impl Builder<'_> {
     ) -> Option<Quantity> {
         let of = self.whole_of(phrase)?;
         if let Some(rotors) = self.rotors_of(&of) {
-            return Some(Quantity::Known(Value::scalar(rotors.inertia)));
+            let along = any_axis_across(phrase).is_none() && !phrase.is("transverse");
+            return along.then(|| Quantity::Known(Value::scalar(rotors.inertia)));
         }
         let about = self.about(phrase, &of)?;
         let tensor = Quantity::Inertia {

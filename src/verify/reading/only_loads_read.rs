@@ -177,6 +177,19 @@ impl Builder<'_> {
             return self.list_letter(letter, premise, listed, declaration);
         }
         let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
+        if load.head == MOMENT && letters.is_empty() && lasting == Lasting::Always {
+            // What holds an end may turn it in any way.
+            let moment = self.free_load(&format!("M_{{{at}}}"), None)?;
+            listed.loads.push(Load {
+                called: Called::Nothing,
+                at: None,
+                value: moment,
+                lasting,
+                on: Some(listed.body),
+                part: false,
+            });
+            return Some(());
+        }
         if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
             return None;
         }

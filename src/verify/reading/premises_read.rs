@@ -145,6 +145,7 @@ impl Builder<'_> {
             "moment" if premise.is("only") => self.only_drive(premise),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),
+            "load" if premise.is("only") && self.lists_drive(premise) => Some(()),
             "load" | "force" if premise.is("only") && self.is_list_of_joined(premise) => Some(()),
             "load" | "force" | "impulse" if premise.is("only") => {
                 self.only_loads(premise, declaration)

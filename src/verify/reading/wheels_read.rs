@@ -1,7 +1,7 @@
 //! Wheels: what drives them along their axes, and what is said of each of many that turn in one body.
 
 use crate::algebra::Fraction;
-use crate::verify::language::heads::MOMENT;
+use crate::verify::language::heads::{FORCE, MOMENT};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, Rotors};
 use crate::verify::reading::builder::Builder;
@@ -71,6 +71,18 @@ impl Builder<'_> {
         };
         let axis = self.quantity_of(letter, declaration);
         axis.and_then(|axis| self.vector_of(&axis)) == Some(rotors.axis)
+    }
+
+    /// "The force and the moment of the hub are the only loads on wheel `$i$`": what drives it is told by its motion.
+    pub(super) fn lists_drive(&self, premise: &NounPhrase) -> bool {
+        let of = premise.slot(Slot::Of).and_then(|of| self.whole(of));
+        let rotor = of.is_some_and(|of| self.rotors_of(&of).is_some());
+        let mut agents = premise.all(Slot::With).map(|load| match load {
+            Term::Phrase(load) if matches!(load.head, FORCE | MOMENT) => load.slot(Slot::Of),
+            _ => None,
+        });
+        let first = agents.next().flatten();
+        rotor && first.is_some() && agents.all(|agent| agent == first)
     }
 
     /// "The moment of the hub is the only moment on wheel `$i$` along `$g_i$`": what drives it is told by its motion.
