@@ -62,13 +62,18 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whose rate a derivative without a label is, and whether that is said of this part of the document alone: then it is
-    /// the rate of the vector itself, whichever axes its components are on.
+    /// Whose rate a derivative without a label is, and whether it is the rate of the vector itself, whichever axes its
+    /// components are on: where that is said of this part of the document alone, and where vectors have components on some
+    /// axes only by a rule for all of them.
     fn customary_rate(&self, mark: Mark) -> (FrameId, bool) {
-        (
-            self.customary_frame(mark),
-            self.letters.marks_part(mark, self.at),
-        )
+        let seen = matches!(
+            self.letters.mark(mark, self.at),
+            Some(Effect::RateSeenFrom(_))
+        );
+        let by_rule = self.letters.mark(Mark::NoLabel, self.at);
+        let by_rule = matches!(by_rule, Some(Effect::ComponentsOn(_)));
+        let of_part = self.letters.marks_part(mark, self.at);
+        (self.customary_frame(mark), of_part || seen && by_rule)
     }
 
     /// The frame that a label on a derivative names.
