@@ -5,10 +5,11 @@
 //! the bodies that a text introduces. `rewrite`, `reorder`, `ellipsis`, `anaphora` and `told_apart` bring other wordings to the
 //! plain one before the grammar reads them. `declare` reads many sentences, and what each leaves to the others is put in
 //! afterwards: `kinds`, `introduce` and `plain_things` say what a name is, `owners`, `together` and `same` whose a quantity is,
-//! `entries` what stands in arrays, `hinges`, `places`, `body_axes` and `mounted` where points and axes of bodies are, `turns`
-//! how they turn, `weights` the letter of gravity. `kept` and `unread` find what still holds of a sentence that is not
-//! understood and what it may change, `terms` lists what a statement speaks of, `print` writes statements as sentences again
-//! and `manual` tells people about all of it. English stands nowhere else.
+//! `entries` what stands in arrays, `hinges`, `places`, `sides`,
+//! `body_axes` and `mounted` where points and axes of bodies are, `turns` how they turn, `weights` the letter of
+//! gravity. `kept` and `unread` find what still holds of a sentence that is not understood and what it may change,
+//! `terms` lists what a statement speaks of, `print` writes statements as sentences again and `manual` tells people
+//! about all of it. English stands nowhere else.
 
 mod acting;
 pub(crate) mod adjectives;
@@ -66,6 +67,7 @@ mod rewrite;
 mod roles;
 mod same;
 mod sentence_parts;
+mod sides;
 mod sign;
 mod spins;
 pub mod statement;

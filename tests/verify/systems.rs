@@ -24,6 +24,7 @@ mod reading;
 mod rods;
 mod rolling;
 mod round_surfaces;
+mod shapes_and_wholes;
 mod signs_and_orders;
 mod slopes;
 mod sound;

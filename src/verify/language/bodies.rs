@@ -107,6 +107,7 @@ pub(crate) fn introduced<'a>(
     let mut found = BTreeSet::new();
     for tokens in sentences.clone() {
         found.extend(names(tokens, &contexts, lexicon));
+        found.extend(consists(tokens).then(|| WHOLE.to_owned()));
         if found.len() > MOST_BODIES {
             break;
         }
@@ -155,6 +156,16 @@ fn mistyped(name: &str, lexicon: &Lexicon) -> bool {
             let length = word.chars().count();
             apart == 1 && length > 3 || apart == 2 && length > 7
         })
+}
+
+/// The word for what has parts, where no noun follows: "the whole consists of the hub and P".
+pub(crate) const WHOLE: &str = "whole";
+
+/// Whether a sentence says of what the whole consists.
+fn consists(tokens: &[Token]) -> bool {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let says = |at: &[&str]| matches!(at, ["the", WHOLE, "consists", "of"]);
+    words.windows(4).any(says)
 }
 
 /// The bodies that one sentence introduces.

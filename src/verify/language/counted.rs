@@ -5,6 +5,7 @@ use super::is_body;
 use super::kinds::name;
 use super::phrase::ORDINALS;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 
 /// Words for how many things there are.
 const COUNTS: [(&str, usize); 5] = [
@@ -56,6 +57,45 @@ pub(crate) fn number_counted(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(told);
+}
+
+/// "Rod 1 and rod 2 lie along the axes x and y with their middles at G": each along its own, with its own middle there.
+pub(crate) fn lay_in_turn(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Does {
+            subjects,
+            verb,
+            slots,
+        } = &*statement
+        else {
+            return vec![];
+        };
+        let axes = axes_listed(slots).filter(|_| LAID.contains(verb));
+        if subjects.len() < 2 || axes.is_none_or(|axes| axes.len() != subjects.len()) {
+            return vec![];
+        }
+        let slots: Vec<(Slot, Term)> = slots.iter().flat_map(spread).collect();
+        let mut said = does_in_turn(subjects, verb, &slots);
+        let all = subjects.clone();
+        for (own, statement) in all.iter().zip(&mut said) {
+            if let Statement::Does { slots, .. } = statement {
+                slots
+                    .iter_mut()
+                    .for_each(|(_, term)| keep_own(term, own, &all));
+            }
+        }
+        *statement = said.remove(0);
+        said
+    });
+}
+
+/// Of a place that is told of several things that of one of them: "their middles".
+fn keep_own(term: &mut Term, own: &Term, all: &[Term]) {
+    if let Term::Phrase(place) = term {
+        place
+            .slots
+            .retain(|(slot, of)| *slot != Slot::Of || of == own || !all.contains(of));
+    }
 }
 
 /// Puts the names of the parts where a sentence counts them, and adds what it says of these.
@@ -134,7 +174,7 @@ fn count_of(many: &str, declaration: &Declaration) -> Option<usize> {
 }
 
 /// "along the axes x and y": these.
-fn axes_listed(slots: &[(Slot, Term)]) -> Option<Vec<Term>> {
+pub(super) fn axes_listed(slots: &[(Slot, Term)]) -> Option<Vec<Term>> {
     let axes = slots.iter().find_map(|(slot, term)| match term {
         Term::Phrase(axes) if *slot == Slot::Along && axes.head == "axes" => Some(axes),
         _ => None,

@@ -6,7 +6,7 @@ use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::clause::Said;
 use super::constancy::tell_constants;
-use super::counted::{number_counted, part_first};
+use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
@@ -27,7 +27,7 @@ use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::placed_points::name_placed_points;
-use super::places::{tell_places, tell_reach, tell_sides};
+use super::places::{tell_places, tell_reach};
 use super::plain_letters::write_letters;
 use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
@@ -42,6 +42,7 @@ use super::rewrite::plainly;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
+use super::sides::tell_sides;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::suspended::tell_suspended;
@@ -144,6 +145,7 @@ fn in_plain_terms(
     say_of_loads(&mut declarations);
     tell_upright_axes(&mut declarations);
     number_counted(&mut declarations);
+    lay_in_turn(&mut declarations);
     name_placed_points(&mut declarations);
     tell_named_things(&mut declarations);
     tell_places(&mut declarations);

@@ -165,8 +165,11 @@ pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
 /// Products that no letter names.
 pub(crate) const OTHER_PRODUCTS: &str = "other products of inertia";
 
+/// Half of what an ellipsoid measures along a principal axis.
+pub(crate) const SEMI_AXIS: &str = "semi-axis";
+
 /// What a sentence tells of a thing with its noun: "a rod of mass `$m$` and length `$l$`".
-pub(crate) const SIZES: [&str; 10] = [
+pub(crate) const SIZES: [&str; 11] = [
     MASS,
     HEIGHT,
     "length",
@@ -176,6 +179,7 @@ pub(crate) const SIZES: [&str; 10] = [
     "diameter",
     "thickness",
     "edge",
+    SEMI_AXIS,
     "density",
 ];
 

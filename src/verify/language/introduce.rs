@@ -124,6 +124,12 @@ fn moving_points(statement: &Statement) -> Vec<String> {
         Statement::Is { what, .. } if [POSITION, VELOCITY, ACCELERATION].contains(&what.head) => {
             what.all(Slot::Of).filter_map(name).collect()
         }
+        // "G is placed from Q by `$r$`"
+        Statement::Does {
+            verb: "place",
+            slots,
+            ..
+        } => slot(slots, Slot::From).and_then(name).into_iter().collect(),
         _ => vec![],
     }
 }

@@ -326,7 +326,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Whether a noun or an adjective follows behind some words.
-    fn noun_behind(&self, ahead: usize) -> bool {
+    pub(super) fn noun_behind(&self, ahead: usize) -> bool {
         let rest = self.following(ahead);
         let described = [Class::Noun, Class::Place, Class::Thing, Class::Adjective];
         self.lexicon.find(rest, &described).is_some()

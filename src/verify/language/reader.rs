@@ -1,6 +1,6 @@
 //! Goes along a sentence word by word.
 
-use super::bodies::{LONGEST_NAME, may_name};
+use super::bodies::{LONGEST_NAME, WHOLE, may_name};
 use super::lexicon::{Class, Found, Lexicon};
 use super::statement::{Formula, Misread, NounPhrase, Term};
 use super::words::{Kind, Token, wrong};
@@ -197,7 +197,22 @@ impl<'a> Reader<'a> {
         let longest = LONGEST_NAME.min(words.len());
         let mut lengths = (1..=longest).rev();
         let named = |length: &usize| self.named.contains(&words[..*length].join(" "));
-        lengths.find(named).unwrap_or(0)
+        let length = lengths.find(named).unwrap_or(0);
+        match length == 1 && words.first() == Some(&WHOLE) {
+            true => usize::from(self.is_noun(ahead + 1)),
+            false => length,
+        }
+    }
+
+    /// Whether a word is the noun before these words: "the whole" is a body, but "the whole satellite" is the satellite, and
+    /// "the whole of the body" the body.
+    fn is_noun(&self, behind: usize) -> bool {
+        let words = self.following(behind);
+        let hangs = self.lexicon.find(words, &[Class::Preposition]).is_some();
+        match hangs {
+            true => words.first() != Some(&"of"),
+            false => !self.noun_behind(behind) && self.introduced(behind) == 0,
+        }
     }
 
     /// Whether the next word is the name of a thing: it has a capital, a digit or a mark in it, or it is short, and the

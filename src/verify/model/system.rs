@@ -104,14 +104,25 @@ pub(crate) struct Body {
     pub(crate) parts: Vec<BodyId>,
     /// Wheels that are part of it and do not change its inertia.
     pub(crate) rotors: Option<Rotors>,
-    /// The axis of its frame along which it is long, and whether it goes against that.
-    pub(crate) line: Option<(usize, bool)>,
+    /// Along what it is long.
+    pub(crate) line: Option<Line>,
     /// The names of its ends: those that are fixed in space first.
     pub(crate) ends: Vec<String>,
     /// By what it touches planes, if it is round.
     pub(crate) round: Option<Round>,
     /// The index of the family for each of whose members it stands: what is said of it is said of all.
     pub(crate) members: Option<String>,
+}
+
+/// Along what a body is long: from its first end to the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Line {
+    /// The axis of its frame.
+    pub(crate) axis: usize,
+    /// Whether it goes against that.
+    pub(crate) reversed: bool,
+    /// Whether the places of its ends or its middle tell it.
+    pub(crate) by_points: bool,
 }
 
 impl Body {

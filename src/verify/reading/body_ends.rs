@@ -7,8 +7,9 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::body_lines::ALONG;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::name_of;
+use crate::verify::reading::names::{name_of, reach_of};
 use crate::verify::reading::shapes_read::{CONE, ROD};
+use crate::verify::term::letters::Reach;
 
 /// The noun of the points at which a rod ends.
 pub(super) const END: &str = "end";
@@ -70,7 +71,11 @@ impl Builder<'_> {
     /// Whether a noun is that of ends that the model knows.
     pub(super) fn is_end_placed(&self, what: &NounPhrase) -> bool {
         let body = what.slot(Slot::Of).and_then(|of| self.body(of));
-        let Some(body) = body.filter(|&body| self.has_ends(body)) else {
+        let by_points = |body: BodyId| {
+            let known = &self.reading.system.bodies[body];
+            known.line.is_some_and(|line| line.by_points) && known.ends.len() <= 2
+        };
+        let Some(body) = body.filter(|&body| self.has_ends(body) || by_points(body)) else {
             return false;
         };
         match what.head {
@@ -96,7 +101,7 @@ impl Builder<'_> {
         let (what, declaration) = self.said_to_be(body, &[ROD, CONE])?;
         let told = self.told_axis_of_shape(body).filter(|_| self.is_rod(body));
         if told.is_none() && !self.has_ends(body) {
-            return None;
+            self.tell_line_by_points(body)?;
         }
         let (size, part) = match (what.head == ROD, first) {
             (true, true) => ("length", Fraction::from_ratio(-1, 2)),
@@ -113,8 +118,46 @@ impl Builder<'_> {
         Some(line * (size * part))
     }
 
+    /// Whether sentences place both ends of a uniform rod, between which its mass centre is.
+    pub(super) fn has_placed_ends(&self, body: BodyId) -> bool {
+        let placed = |end: &String| {
+            self.declarations.iter().any(|d| match &d.statement {
+                Statement::Does {
+                    subjects,
+                    verb: "lie" | "place",
+                    slots,
+                } => {
+                    let own = subjects.iter().any(|s| name_of(s).as_ref() == Some(end));
+                    let whole = reach_of(&d.extent) == Reach::All;
+                    own && whole && slot(slots, Slot::From).is_some()
+                }
+                _ => false,
+            })
+        };
+        let ends = &self.reading.system.bodies[body].ends;
+        let rod = self.said_to_be(body, &[ROD]);
+        rod.is_some_and(|(what, _)| what.is("uniform"))
+            && ends.len() == 2
+            && ends.iter().all(placed)
+    }
+
+    /// The mass centre of a uniform rod is in the middle between its ends.
+    fn centre_between_ends(&self, body: BodyId) -> Option<(PointId, Vector)> {
+        let ends = &self.reading.system.bodies[body].ends;
+        let ends = ends.iter().map(|name| self.points.get(name).copied());
+        let ends: Vec<PointId> = ends.collect::<Option<_>>()?;
+        let &[first, last] = ends.as_slice() else {
+            return None;
+        };
+        let way = self.reading.system.position(last, first);
+        Some((first, way * Fraction::from_ratio(1, 2)))
+    }
+
     /// Where the mass centre of a rod is from an end of it that stands already.
     pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
+        if self.has_placed_ends(body) {
+            return self.centre_between_ends(body);
+        }
         let mut ends = self.reading.system.bodies[body].ends.iter().enumerate();
         let known = ends.find_map(|(at, name)| Some((at, *self.points.get(name)?)));
         let (at, end) = known?;

@@ -5,7 +5,7 @@ use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
-use crate::verify::model::system::{Axis, BodyId, Turn, Vector};
+use crate::verify::model::system::{Axis, BodyId, Line, Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::body_ends::END;
 use crate::verify::reading::builder::Builder;
@@ -14,6 +14,12 @@ use num_traits::Zero;
 
 /// The axis of a frame along which the line of a body is, where no sentence tells it.
 pub(super) const ALONG: usize = 2;
+/// The line of what turns in a plane by its angle with the vertical.
+const PLANAR: Line = Line {
+    axis: ALONG,
+    reversed: false,
+    by_points: false,
+};
 /// The axis about which it turns in a plane, where no sentence tells it.
 const ACROSS: usize = 0;
 
@@ -33,6 +39,7 @@ impl<'a> Builder<'a> {
                 .or_else(|| self.own_line(body))
         };
         let line = self.reading.system.bodies[body].line;
+        let line = line.map(|line| (line.axis, line.reversed));
         line.or_else(|| Some((told()?, false)))
     }
 
@@ -79,7 +86,11 @@ impl<'a> Builder<'a> {
             .collect();
         let turns = self.turns_between(frame, from)?;
         if turns.iter().all(|(_, angle)| zero.contains(angle)) {
-            self.reading.system.bodies[body].line = Some((axis, reversed));
+            self.reading.system.bodies[body].line = Some(Line {
+                axis,
+                reversed,
+                by_points: false,
+            });
         }
         Some(())
     }
@@ -116,7 +127,7 @@ impl<'a> Builder<'a> {
             false => angle,
         };
         self.reading.system.frames[frame].turn = Turn::Angle(ACROSS, Box::new(upright));
-        self.reading.system.bodies[body].line = Some((ALONG, false));
+        self.reading.system.bodies[body].line = Some(PLANAR);
         self.bearings.vertical = Some(Vertical {
             frame: ground,
             axis: ALONG,
@@ -138,7 +149,7 @@ impl<'a> Builder<'a> {
             (Turn::Angle(ACROSS, own), Some(angle)) => own.variables().contains(&angle),
             _ => false,
         };
-        known.line == Some((ALONG, false))
+        known.line == Some(PLANAR)
             && turn.is_some_and(by)
             && self.moves_in_vertical_plane(body)
             && !self.names_horizontal_axes()

@@ -9,6 +9,8 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use num_traits::Zero;
 
+/// The sizes of a box.
+pub(super) const SIDE: &str = "side";
 /// A box without thickness.
 const PLATE: &str = "plate";
 /// What may be said of a box or a plate without making it another one.
@@ -58,7 +60,7 @@ impl Builder<'_> {
             return None;
         }
         let mut sides: [Option<Fraction>; 3] = [None, None, None];
-        for (axis, side) in self.told_sides(body, frame, declaration)? {
+        for (axis, side) in self.told_sides(SIDE, body, frame, declaration)? {
             if sides[axis].replace(side).is_some() {
                 return None;
             }
@@ -71,9 +73,11 @@ impl Builder<'_> {
         sides.into_iter().collect()
     }
 
-    /// The sides of a body by the axes of its frame: "`$a$`, `$b$`, `$c$` are the sides of the block along x, y, z".
+    /// The sides or semi-axes of a body by the axes of its frame: "`$a$`, `$b$` and `$c$` are the sides of the block along
+    /// x, y and z".
     pub(super) fn told_sides(
         &mut self,
+        noun: &str,
         body: BodyId,
         frame: FrameId,
         declaration: &Declaration,
@@ -84,7 +88,7 @@ impl Builder<'_> {
                 continue;
             };
             let of = what.slot(Slot::Of).and_then(|of| self.body(of));
-            if what.head != "side" || of != Some(body) {
+            if what.head != noun || of != Some(body) {
                 continue;
             }
             let along: Vec<&Term> = what.all(Slot::Along).collect();

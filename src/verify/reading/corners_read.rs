@@ -3,6 +3,7 @@
 use crate::algebra::Fraction;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, Vector};
+use crate::verify::reading::boxes_read::SIDE;
 use crate::verify::reading::builder::Builder;
 
 /// The noun of the points where edges meet.
@@ -58,7 +59,7 @@ impl Builder<'_> {
             return self.size_of_shape(body, what, "edge", said);
         }
         let (frame, number) = self.axis_of_frame(axis)?;
-        let sides = self.told_sides(body, frame, declaration)?;
+        let sides = self.told_sides(SIDE, body, frame, declaration)?;
         let own = sides.into_iter().find(|(axis, _)| *axis == number);
         own.map(|(_, side)| side)
     }

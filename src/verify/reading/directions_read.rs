@@ -111,7 +111,10 @@ impl Builder<'_> {
 
 impl<'d> Builder<'d> {
     /// Along what another sentence tells a letter to be: "n is the unit vector along x + y", "`$n = x + y$`".
-    fn directed_elsewhere(&self, letter: &Formula) -> Option<(Formula, &'d Declaration)> {
+    pub(super) fn directed_elsewhere(
+        &self,
+        letter: &Formula,
+    ) -> Option<(Formula, &'d Declaration)> {
         let own = |term: &Term| is_written_as(term, letter);
         let mut said = self.declarations.iter().filter_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == UNIT_VECTOR => {

@@ -17,6 +17,7 @@ use crate::verify::term::quantity::{Quantity, Spot};
 impl Builder<'_> {
     /// Places every point: pivots first, then mass centres, then what is fixed in bodies, then what moves freely.
     pub(super) fn place_points(&mut self) {
+        self.tell_lengths_of_rods();
         let mut spoken = self.spoken_points();
         self.share_centres(&mut spoken);
         self.add_centres(&mut spoken);
@@ -137,17 +138,25 @@ impl Builder<'_> {
         let bodies = &self.reading.system.bodies;
         let stands = |end: &String| self.points.contains_key(end);
         let lies = spoken.lies.map(|index| &self.declarations[index].statement);
-        let lies = lies.and_then(|said| Some(said.does("lie")?.1));
+        let lies = lies.and_then(|said| said.does("lie").or_else(|| said.does("place")));
+        let lies = lies.map(|(_, slots)| slots);
         if let Some((body, _)) = lies.and_then(|slots| self.end_said(slots)) {
             return bodies[body].centre != 0;
         }
         match spoken.centre_of.filter(|_| spoken.lies.is_none()) {
+            Some(body) if self.has_placed_ends(body) => bodies[body].ends.iter().all(stands),
             Some(body) => bodies[body].ends.iter().any(stands) || !self.has_ends(body),
+            None if lies.is_some_and(|slots| self.lies_from_what_stands(slots)) => true,
             None => {
                 let mut ends = self.bodies_that_end_at(&spoken.name).peekable();
                 ends.peek().is_none() || ends.any(|(body, _)| bodies[body].centre != 0)
             }
         }
+    }
+
+    /// Whether the point from which something is placed stands already.
+    fn lies_from_what_stands(&self, slots: &[(Slot, Term)]) -> bool {
+        slot(slots, Slot::From).is_some_and(|from| self.point(from).is_some())
     }
 
     /// The point that another is placed from, and the way there.

@@ -2,9 +2,9 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::heads::{MASS, NORMAL, POSITION};
+use crate::verify::language::heads::{MASS, POSITION};
 use crate::verify::language::is_body;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
@@ -37,6 +37,8 @@ pub(super) const SHAPES: [&str; 13] = [
 pub(super) const ROD: &str = "rod";
 /// A shape that has an apex.
 pub(super) const CONE: &str = "cone";
+/// A shape with three semi-axes.
+const ELLIPSOID: &str = "ellipsoid";
 /// A body without extent.
 const PARTICLE: &str = "particle";
 
@@ -144,6 +146,10 @@ impl<'a> Builder<'a> {
         if SIDED.contains(&what.head) {
             return self.sided_body(body, what, declaration);
         }
+        if what.head == ELLIPSOID {
+            return self.ellipsoid_body(body, what, declaration);
+        }
+        self.lay_by_points(body)?;
         let shape = mechanics::Shape::by_name(what.head)?;
         let lies_along = what.slot(Slot::Along).is_some();
         let untold = lies_along && self.told_axis_of_shape(body).is_none();
@@ -155,8 +161,12 @@ impl<'a> Builder<'a> {
         let pi = self.system().atoms.pi();
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
         let round_all_over = matches!(shape.name(), "sphere" | "shell" | "cube");
-        let line = self.reading.system.bodies[body].line.map(|(axis, _)| axis);
-        let axis = match line.or_else(|| self.told_axis_of_shape(body)) {
+        let line = self.reading.system.bodies[body].line.map(|line| line.axis);
+        let told = line.or_else(|| self.told_axis_of_shape(body));
+        if let (None, Some(along)) = (told, self.said_direction_of_shape(body)) {
+            return self.shape_along(body, &tensor, along);
+        }
+        let axis = match told {
             Some(axis) => axis,
             // What rolls turns about its own axis; another shape that turns about an axis may lie across it.
             None if !round_all_over => match self.axis_of_turn(body) {
@@ -221,56 +231,6 @@ impl<'a> Builder<'a> {
         let sizes = self.sizes_of_shape(body, shape, what, declaration)?;
         let pi = self.system().atoms.pi();
         Some((shape.content(&sizes, &pi)?, shape.dimension()))
-    }
-
-    /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
-    pub(super) fn told_axis_of_shape(&self, body: BodyId) -> Option<usize> {
-        let system = &self.reading.system;
-        let frame = system.bodies[body].frame?;
-        let name = |term: &Term| self.axis_of_frame(term);
-        let rod = self.is_rod(body);
-        let told = self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what }
-                if what.head == "axis" && what.slot(Slot::Which).is_none() =>
-            {
-                let of = what.slot(Slot::Of).and_then(|term| self.body(term));
-                subjects.first().and_then(name).filter(|_| of == Some(body))
-            }
-            // "a thin rod along the second axis of B"
-            Statement::Is { subjects, what } if self.is_shape(what.head) => {
-                let own = subjects.iter().any(|term| self.body(term) == Some(body));
-                what.slot(Slot::Along).and_then(name).filter(|_| own)
-            }
-            Statement::Is { subjects, what } if what.head == "orthogonal" => {
-                let of = what
-                    .all(Slot::With)
-                    .any(|term| self.body(term) == Some(body));
-                subjects.first().and_then(name).filter(|_| of)
-            }
-            Statement::Is { subjects, what } if what.head == NORMAL => {
-                let of = what.all(Slot::Of).any(|term| self.body(term) == Some(body));
-                subjects.first().and_then(name).filter(|_| of)
-            }
-            Statement::Does {
-                subjects,
-                verb: "lie",
-                slots,
-            } if rod => {
-                let of = subjects.iter().any(|term| self.body(term) == Some(body));
-                slot(slots, Slot::Along).and_then(name).filter(|_| of)
-            }
-            Statement::Is { subjects, what } if what.head == "symmetric" => {
-                let of = subjects.iter().any(|term| self.body(term) == Some(body));
-                what.slot(Slot::About).and_then(name).filter(|_| of)
-            }
-            _ => None,
-        });
-        let shared = |f: usize, axis: usize| {
-            let turned = &system.frames[frame];
-            turned.parent == Some(f) && turned.turn.axis() == Some(axis)
-        };
-        told.filter(|&(f, axis)| f == frame || shared(f, axis))
-            .map(|(_, axis)| axis)
     }
 
     /// The number of the axis about which a body's frame is said to turn.
@@ -353,6 +313,23 @@ impl<'a> Builder<'a> {
         self.reading.system.frames[frame].turn.axis()
     }
 
+    /// A round shape about a direction that is no axis of its frame: of where it touches planes nothing is told.
+    fn shape_along(
+        &mut self,
+        body: BodyId,
+        tensor: &Matrix,
+        (along, declaration): (&Term, &Declaration),
+    ) -> Option<()> {
+        let along = self.direction_in_body(body, along, declaration)?;
+        let (across, spin) = (&tensor[(0, 0)], &tensor[(2, 2)]);
+        if self.rolls(body) || !is_round(tensor) {
+            return None;
+        }
+        let tensor = mechanics::symmetric_inertia(across, spin, &along);
+        self.reading.system.bodies[body].inertia = Some(tensor);
+        Some(())
+    }
+
     /// A tensor on the axes of a shape, which has its own axis along one of those of a body's frame. One that is the
     /// same about all axes across is told without the spin: I_t 1 + (I_s − I_t) d dᵀ.
     fn tensor_on_work_frame(
@@ -364,14 +341,19 @@ impl<'a> Builder<'a> {
         let frame = self.reading.system.bodies[body].frame?;
         let work = self.reading.system.work;
         let (across, along) = (tensor[(0, 0)].clone(), tensor[(2, 2)].clone());
-        let zero = |r: usize, c: usize| tensor[(r, c)].is_zero();
-        if across == tensor[(1, 1)] && zero(0, 1) && zero(0, 2) && zero(1, 2) {
+        if is_round(tensor) {
             let axis = self.system().axis(frame, axis);
             return Some(mechanics::symmetric_inertia(&across, &along, &axis));
         }
         let turn = self.system().rotation(work, frame);
         (axis == 2).then(|| mechanics::inertia_in_axes(&turn, tensor))
     }
+}
+
+/// Whether a tensor is the same about all axes across the third one.
+fn is_round(tensor: &Matrix) -> bool {
+    let zero = |r: usize, c: usize| tensor[(r, c)].is_zero();
+    tensor[(0, 0)] == tensor[(1, 1)] && zero(0, 1) && zero(0, 2) && zero(1, 2)
 }
 
 /// Shapes with a side along each axis of their frame.
