@@ -5,7 +5,7 @@
 //! the bodies that a text introduces. `rewrite`, `reorder`, `ellipsis`, `anaphora` and `told_apart` bring other wordings to the
 //! plain one before the grammar reads them. `declare` reads many sentences, and what each leaves to the others is put in
 //! afterwards: `kinds`, `introduce` and `plain_things` say what a name is, `owners`, `together` and `same` whose a quantity is,
-//! `entries` what stands in arrays, `hinges`, `places`, `sides`,
+//! `entries` what stands in arrays, `named_members` which member has which name, `hinges`, `places`, `sides`,
 //! `body_axes` and `mounted` where points and axes of bodies are, `turns` how they turn, `weights` the letter of
 //! gravity. `kept` and `unread` find what still holds of a sentence that is not understood and what it may change,
 //! `terms` lists what a statement speaks of, `print` writes statements as sentences again and `manual` tells people
@@ -46,6 +46,7 @@ mod member_wheels;
 mod members;
 pub(crate) mod messages;
 mod mounted;
+mod named_members;
 mod numbered_frames;
 mod on_lines;
 mod on_rings;

@@ -22,6 +22,7 @@ use super::kinds::{
 use super::lexicon::Lexicon;
 use super::member_wheels::turn_members;
 use super::mounted::mount_wheels;
+use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
@@ -144,6 +145,7 @@ fn in_plain_terms(
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
     tell_upright_axes(&mut declarations);
+    name_members(&mut declarations);
     number_counted(&mut declarations);
     lay_in_turn(&mut declarations);
     name_placed_points(&mut declarations);

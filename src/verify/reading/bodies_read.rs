@@ -241,7 +241,7 @@ impl Builder<'_> {
 
     /// "`i` numbers the particles."
     fn number(&mut self, subjects: &[Term], slots: &[(Slot, Term)]) {
-        let Some(Term::Name(plural)) = slot(slots, Slot::Of) else {
+        let [(Slot::Of, Term::Name(plural))] = slots else {
             return;
         };
         let name = singular(plural).unwrap_or(plural).to_owned();

@@ -36,6 +36,7 @@ impl Builder<'_> {
                         let frame = axes.slot(Slot::Of).and_then(|term| self.frame(term));
                         self.number_axes(subjects, frame.unwrap_or(0), declaration);
                     }
+                    self.number_things(subjects, slots, declaration);
                 }
                 Statement::Is { subjects, what } => self.read_convention(subjects, what),
                 _ => {}
@@ -78,6 +79,7 @@ impl Builder<'_> {
                         self.reading.letters.indices.push(IndexRule {
                             letter: letter.to_string(),
                             axes_of: Some(frame),
+                            members: None,
                             reach: reach_of(&declaration.extent),
                         });
                     }
@@ -111,6 +113,27 @@ impl Builder<'_> {
             self.reading.letters.indices.push(IndexRule {
                 letter: index_letter(formula),
                 axes_of: Some(frame),
+                members: None,
+                reach: reach_of(&declaration.extent),
+            });
+        }
+    }
+
+    /// "`$i$` numbers P and Q": so many of them.
+    fn number_things(
+        &mut self,
+        subjects: &[Term],
+        things: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) {
+        if things.len() < 2 || things.iter().any(|(slot, _)| *slot != Slot::Of) {
+            return;
+        }
+        for index in formulas(subjects) {
+            self.reading.letters.indices.push(IndexRule {
+                letter: index_letter(index),
+                axes_of: None,
+                members: Some(things.len()),
                 reach: reach_of(&declaration.extent),
             });
         }

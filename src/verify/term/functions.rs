@@ -121,7 +121,11 @@ impl Lowering<'_> {
         let rule = self.letters.index(&index.name, self.at);
         let of_axes = rule.is_some_and(|rule| rule.axes_of.is_some());
         let of_axes = of_axes || self.system.family_of(&index.name).is_none();
-        let between = limits.as_ref().map_or(Some((1, 3)), axes_between);
+        let members = rule.and_then(|rule| rule.members);
+        let between = match members.filter(|_| limits.as_ref().is_none_or(is_over_all)) {
+            Some(count) => Some((1, count)),
+            None => limits.as_ref().map_or(Some((1, 3)), axes_between),
+        };
         if let Some((first, last)) = between.filter(|_| of_axes) {
             return self.sum_of_axes(&index.name, first - 1..last, body);
         }

@@ -65,7 +65,8 @@ impl Lowering<'_> {
             let letters = self.letters;
             letters.find(&spell(&other, true), &spell(&other, false), self.at, 0)
         });
-        let said = self.letters.index(index, self.at).is_some();
+        let rule = self.letters.index(index, self.at);
+        let said = rule.is_some_and(|rule| rule.axes_of.is_some());
         Some((found.cloned()?, said))
     }
 

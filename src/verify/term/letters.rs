@@ -205,6 +205,8 @@ pub(crate) struct IndexRule {
     pub(crate) letter: String,
     /// What it numbers: the axes of a frame, or a family by its name.
     pub(crate) axes_of: Option<FrameId>,
+    /// How many things it numbers that have names.
+    pub(crate) members: Option<usize>,
     pub(crate) reach: Reach,
 }
 

@@ -132,16 +132,16 @@ impl Lowering<'_> {
         let Some(last) = symbol.subscripts.last().map(|l| plain(l)) else {
             return Ok(None);
         };
-        // An index without an axis is no letter of its own.
-        let numbers = |letter: &str| {
-            let rule = self.letters.index(letter, self.at);
-            rule.is_some_and(|rule| rule.axes_of.is_some()) && !self.axes.contains_key(letter)
-        };
-        if last
-            .chars()
-            .next_back()
-            .is_some_and(|end| numbers(&end.to_string()))
-        {
+        // An index without an axis is no letter of its own, and one of things with names numbers no components.
+        let end = last.chars().next_back().map(|end| end.to_string());
+        let rule = end
+            .as_deref()
+            .and_then(|letter| self.letters.index(letter, self.at));
+        if rule.is_some_and(|rule| rule.members.is_some()) {
+            return Ok(None);
+        }
+        let of_axes = rule.is_some_and(|rule| rule.axes_of.is_some());
+        if of_axes && !end.is_some_and(|letter| self.axes.contains_key(&letter)) {
             return Err(Trouble::Beyond(
                 "an index that stands for no axis here".into(),
             ));

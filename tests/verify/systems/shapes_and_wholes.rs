@@ -325,6 +325,41 @@ $$ J_{12} = \frac{1}{4} M a b $$
 }
 
 #[test]
+fn named_particles_are_summed_by_their_numbers() {
+    let said = "N is an inertial frame.
+B is a frame fixed in the rotor.
+$\\mathbf i$, $\\mathbf j$, $\\mathbf k$ are the axes of B.
+$i$ numbers the particles.
+$P_1$ and $P_2$ are particles of mass $m$.
+The rotor consists of $P_1$ and $P_2$.
+A is a point fixed in N and in B.
+$P_1$ is placed from A by $r\\,\\mathbf i+l\\,\\mathbf k$.
+$P_2$ is placed from A by $-r\\,\\mathbf i+2l\\,\\mathbf k$.
+$s_i$ is the position of particle $i$ from A.
+$b$ is the position of $P_1$ from A.
+$I$ is the moment of inertia of the rotor about the axis through A along $\\mathbf i$.
+";
+    let text = r"
+$$ I = 5 m l^2 $$
+
+$$ I = 10 m l^2 $$
+
+$$ \sum_i s_i = 3 l \mathbf k $$
+
+$$ \sum_i s_i = 3 l \mathbf i $$
+
+$$ \sum_{i=1}^{2} m s_i\cdot s_i = m (2 r^2 + 5 l^2) $$
+
+$$ \sum_i m = 2 m $$
+
+$$ \sum_i m = 3 m $$
+
+$$ \sum_i b_i = 0 $$
+";
+    assert_eq!(judged(said, text), "prprppru");
+}
+
+#[test]
 fn a_rate_by_a_rule_is_that_of_the_vector_whose_components_a_rule_takes() {
     let said = "N is an inertial frame.
 O is a point fixed in N and in B.

@@ -1,0 +1,172 @@
+//! Members by their names: "the rotor consists of `$P_1$` and `$P_2$`; `$i$` numbers the particles" says which one each number
+//! is.
+
+use super::bodies::singular;
+use super::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::notation::document::Row;
+
+/// As many as letters with numbers are looked for.
+const MOST: usize = 3;
+
+/// The members of a whole that have names with the numbers from 1 on.
+struct Named {
+    family: String,
+    index: Formula,
+    members: Vec<Term>,
+}
+
+/// What is said of member `$i$` is said of each by its name, with its number in the place of `$i$`.
+pub(crate) fn name_members(declarations: &mut Vec<Declaration>) {
+    let Some(named) = named(declarations) else {
+        return;
+    };
+    let mut told = vec![];
+    for declaration in declarations.drain(..) {
+        if numbers(&declaration.statement).is_some() {
+            told.push(declaration.saying(named.numbering()));
+            continue;
+        }
+        match named.each(&declaration.statement) {
+            Some(each) => told.extend(each.into_iter().map(|s| declaration.saying(s))),
+            None => told.push(declaration),
+        }
+    }
+    *declarations = told;
+}
+
+/// The members, where one whole consists of nothing else and one letter numbers them.
+fn named(declarations: &[Declaration]) -> Option<Named> {
+    let mut said = declarations.iter().filter_map(|d| numbers(&d.statement));
+    let (index, family) = said.next().filter(|_| said.next().is_none())?;
+    let mut wholes = declarations
+        .iter()
+        .filter_map(|d| d.statement.does("consist"));
+    let (_, parts) = wholes.next().filter(|_| wholes.next().is_none())?;
+    let (members, of_family): (Vec<Term>, bool) = match parts {
+        [(Slot::Of, Term::Phrase(all))] => {
+            (all.all(Slot::Which).cloned().collect(), all.head == family)
+        }
+        parts => (parts.iter().map(|(_, part)| part.clone()).collect(), false),
+    };
+    let mut each = members.iter().zip(1..);
+    let numbered = each.all(|(member, number)| is_number(member, number));
+    let mut own = members.iter();
+    let are = of_family || own.all(|member| is_said_to_be(declarations, member, &family));
+    let known = numbered && (2..=MOST).contains(&members.len()) && are;
+    known.then_some(Named {
+        family,
+        index,
+        members,
+    })
+}
+
+/// Whether a sentence says that a thing is one of a family.
+fn is_said_to_be(declarations: &[Declaration], thing: &Term, family: &str) -> bool {
+    let own = |subject: &Term| written(subject).is_some() && written(subject) == written(thing);
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == family && subjects.iter().any(own),
+        _ => false,
+    })
+}
+
+/// Whether the name of a thing ends with its number, behind a low line.
+fn is_number(member: &Term, number: usize) -> bool {
+    written(member).is_some_and(|(_, label)| label == number.to_string())
+}
+
+/// The letter and the label of a name.
+fn written(member: &Term) -> Option<(&str, &str)> {
+    let name = match member {
+        Term::Name(name) => name,
+        Term::Formula(letter) => &letter.source,
+        _ => return None,
+    };
+    let (letter, label) = name.split_once('_')?;
+    Some((letter, label.trim_matches(['{', '}'])))
+}
+
+/// "`$i$` numbers the particles": with which letter, and which family.
+fn numbers(statement: &Statement) -> Option<(Formula, String)> {
+    let ([Term::Formula(index)], [(Slot::Of, Term::Name(many))]) = statement.does("number")? else {
+        return None;
+    };
+    Some((index.clone(), singular(many)?))
+}
+
+impl Named {
+    /// "`$i$` numbers P and Q."
+    fn numbering(&self) -> Statement {
+        Statement::Does {
+            subjects: vec![Term::Formula(self.index.clone())],
+            verb: "number",
+            slots: self.members.iter().map(|m| (Slot::Of, m.clone())).collect(),
+        }
+    }
+
+    /// What a statement about member `$i$` says of each.
+    fn each(&self, statement: &Statement) -> Option<Vec<Statement>> {
+        let terms = statement.terms();
+        if !terms.iter().any(|term| self.is_member(term)) {
+            return None;
+        }
+        let each = self.members.iter().zip(1..);
+        let told = each.map(|(member, number): (&Term, usize)| {
+            let mut own = statement.clone();
+            for term in own.terms_mut() {
+                self.put(member, number, term);
+            }
+            own
+        });
+        Some(told.collect())
+    }
+
+    /// "particle `$i$`", "`$P_i$`"
+    fn is_member(&self, term: &Term) -> bool {
+        if let Term::Member { family, index } = term {
+            return *family == self.family && index.source == self.index.source;
+        }
+        let letter = self.members.first().and_then(written);
+        let own = written(term).filter(|(_, label)| *label == self.index.source);
+        own.is_some_and(|(own, _)| letter.is_some_and(|(letter, _)| letter == own))
+    }
+
+    /// Puts a member and its number in the place of the index.
+    fn put(&self, member: &Term, number: usize, term: &mut Term) {
+        if self.is_member(term) {
+            *term = member.clone();
+            return;
+        }
+        match term {
+            Term::Formula(formula) => {
+                if let Some(numbered) = self.with_number(formula, number) {
+                    *formula = numbered;
+                }
+            }
+            Term::Phrase(phrase) => {
+                let inner = phrase.slots.iter_mut();
+                inner.for_each(|(_, term)| self.put(member, number, term));
+            }
+            _ => {}
+        }
+    }
+
+    /// A formula whose letters have the number in the place of the index.
+    fn with_number(&self, formula: &Formula, number: usize) -> Option<Formula> {
+        let Row::Expression(node) = &formula.row else {
+            return None;
+        };
+        let mut node = node.clone();
+        let mut changed = false;
+        node.change_symbols(&mut |symbol| {
+            for label in symbol
+                .subscripts
+                .iter_mut()
+                .filter(|l| **l == self.index.source)
+            {
+                *label = number.to_string();
+                changed = true;
+            }
+        });
+        changed.then(|| Formula::of(&node))
+    }
+}
