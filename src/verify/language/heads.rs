@@ -22,6 +22,8 @@ pub(crate) const KINETIC_ENERGY: &str = "kinetic energy";
 pub(crate) const POTENTIAL_ENERGY: &str = "potential energy";
 pub(crate) const TOTAL_ENERGY: &str = "total energy";
 pub(crate) const PRINCIPAL_MOMENTS: &str = "principal moments";
+/// The axes on which the products of inertia vanish.
+pub(crate) const PRINCIPAL_AXES: &str = "principal axes";
 pub(crate) const INERTIA_TENSOR: &str = "inertia tensor";
 pub(crate) const MOMENT_OF_INERTIA: &str = "moment of inertia";
 /// Letters that are set bold, by what is said of their marks.

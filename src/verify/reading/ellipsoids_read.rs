@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::verify::language::heads::{MASS, SEMI_AXIS};
+use crate::verify::language::heads::{MASS, PRINCIPAL_AXES, SEMI_AXIS};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FrameId};
 use crate::verify::reading::builder::Builder;
@@ -49,7 +49,7 @@ impl Builder<'_> {
     /// order.
     fn has_principal_axes(&self, body: BodyId, frame: FrameId) -> bool {
         self.declarations.iter().any(|d| match &d.statement {
-            Statement::Premise(premise) if premise.head == "principal axes" => {
+            Statement::Premise(premise) if premise.head == PRINCIPAL_AXES => {
                 let of = premise.slot(Slot::Of).and_then(|of| self.body(of));
                 let of_frame = match premise.slot(Slot::With) {
                     Some(Term::Phrase(axes)) => axes.slot(Slot::Of).and_then(|of| self.frame(of)),
