@@ -26,6 +26,26 @@ fn a_ring_or_a_marked_d_is_the_rate_on_axes_that_turn() {
 }
 
 #[test]
+fn matrices_by_the_commands_of_plain_tex_are_read() {
+    each_reads(&[
+        (r"\pmatrix{a & b \\ c & d}", "(matrix [a b] [c d])"),
+        (r"\pmatrix{a \cr b}", "(matrix [a] [b])"),
+        (r"\pmatrix{a\\ \noalign{\smallskip} b}", "(matrix [a] [b])"),
+        (r"\matrix{a & b}", "(matrix [a b])"),
+        (r"\begin{pmatrix}a & b\end{pmatrix}", "(matrix [a b])"),
+    ]);
+}
+
+#[test]
+fn a_minus_may_lead_what_a_sum_adds_up() {
+    each_reads(&[
+        (r"\sum_i -m_i r_i", "(sum i (- (* m_i r_i)))"),
+        (r"(J a)\dot{}", "(dot (group (* J a)))"),
+        (r"a\ddot{}", "(ddot a)"),
+    ]);
+}
+
+#[test]
 fn the_commands_of_the_package_physics_are_read() {
     each_reads(&[
         (r"\mqty{a & b \\ c & d}", "(matrix [a b] [c d])"),

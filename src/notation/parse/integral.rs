@@ -235,7 +235,7 @@ impl Parser<'_, '_> {
                 .map_or(String::new(), |part| text::plain(part));
             lower = parts.get(1).map(|part| self.inside(part).whole());
         }
-        let body = self.product();
+        let body = self.product_with_sign();
         if index.contains("substack") {
             let message = "conditions under a sum, one below the other, are not read";
             return self.node(Kind::Error(message.into()), start);

@@ -1,4 +1,5 @@
-//! Matrices by the commands of the package physics, as the environments that they stand for.
+//! Matrices by commands with one argument, those of plain TeX and of the package physics, as the environments that they
+//! stand for.
 
 use super::bracket_end;
 use crate::notation::token::{Lexeme, Token};
@@ -12,8 +13,10 @@ fn environment(name: &str, bracket: Lexeme<'_>) -> Option<&'static str> {
     Some(match (name, bracket) {
         ("mqty" | "smqty" | "matrixquantity", Lexeme::Char('|')) => "vmatrix",
         ("mqty" | "smqty" | "matrixquantity", _) => "matrix",
-        ("pmqty", _) if bare => "pmatrix",
-        ("bmqty", _) if bare => "bmatrix",
+        ("matrix", _) if bare => "matrix",
+        ("pmqty" | "pmatrix", _) if bare => "pmatrix",
+        ("bmqty" | "bmatrix", _) if bare => "bmatrix",
+        ("vmatrix", _) if bare => "vmatrix",
         ("vmqty" | "mdet" | "matrixdeterminant", _) if bare => "vmatrix",
         _ => return None,
     })
@@ -42,7 +45,21 @@ pub(super) fn spelled_out<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
             // The bracket that opened stands for nothing now.
             out[open].kind = Lexeme::Space(0);
             out[close].kind = Lexeme::End(environment);
+            without_spacing_of_rows(&mut out[open..close]);
         }
     }
     out
+}
+
+/// `\noalign{\smallskip}` between rows only sets them apart.
+fn without_spacing_of_rows(tokens: &mut [Token<'_>]) {
+    for at in 0..tokens.len().saturating_sub(1) {
+        let spacing = tokens[at].kind == Lexeme::Command("noalign");
+        let opens = tokens[at + 1].kind == Lexeme::Open;
+        if let Some(close) = bracket_end(tokens, at + 1).filter(|_| spacing && opens) {
+            for token in &mut tokens[at..=close] {
+                token.kind = Lexeme::Space(0);
+            }
+        }
+    }
 }

@@ -20,7 +20,7 @@ pub(crate) struct Reading {
 /// Reads the rows of a formula.
 pub(crate) fn rows(tokens: &[Token<'_>]) -> Reading {
     let mut out = Rows::default();
-    let physics = |t: &Token<'_>| matches!(t.kind, Lexeme::Command(name) if name.ends_with("mqty") || name.starts_with("mdet") || name.starts_with("matrix"));
+    let physics = |t: &Token<'_>| matches!(t.kind, Lexeme::Command(name) if name.ends_with("mqty") || name.starts_with("mdet") || name.contains("matrix"));
     let spelled = match tokens.iter().any(physics) {
         true => super::group::ungrouped(&super::physics::spelled_out(tokens)),
         false => super::group::ungrouped(tokens),

@@ -40,6 +40,11 @@ impl<'t, 'a> Parser<'t, 'a> {
                     self.at += 1;
                     node = wrap(node, |number| Kind::WithUnit(number, "deg".into()));
                 }
+                // `(I\omega)\dot{}`: dots over nothing stand behind what they are the rate of.
+                Some(Lexeme::Command(dots @ ("dot" | "ddot"))) if self.empty_group_follows() => {
+                    self.at += 3;
+                    node = super::letter::dotted(node, if dots == "dot" { 1 } else { 2 });
+                }
                 // `\vec r\,'`: a thin space keeps a prime off an arrow.
                 Some(Lexeme::Space(_)) if self.space_leads_a_prime() => self.at += 1,
                 Some(Lexeme::Char('\'')) => {
@@ -54,6 +59,10 @@ impl<'t, 'a> Parser<'t, 'a> {
             node.span = self.since(start);
         }
         node
+    }
+
+    fn empty_group_follows(&self) -> bool {
+        self.peek_at(1) == Some(Lexeme::Open) && self.peek_at(2) == Some(Lexeme::Close)
     }
 
     fn space_leads_a_prime(&self) -> bool {

@@ -45,6 +45,23 @@ impl Parser<'_, '_> {
         self.close(terms, start)
     }
 
+    /// What a sum over an index adds up, which a minus may lead: `\sum_i -m_i [r_i]^2`.
+    pub(super) fn product_with_sign(&mut self) -> Node {
+        let start = self.at;
+        self.skip_spaces();
+        if self.peek() != Some(Lexeme::Char('-')) {
+            return self.product();
+        }
+        let (sign, span) = self.sign();
+        let node = self.product();
+        let terms = vec![Term {
+            negative: sign == Some(Sign::Minus),
+            sign: span,
+            node,
+        }];
+        self.close(terms, start)
+    }
+
     fn close(&self, mut terms: Vec<Term>, start: usize) -> Node {
         if terms.len() > 1 {
             return self.node(Kind::Sum(terms), start);
