@@ -11,6 +11,7 @@
 //! `terms` lists what a statement speaks of, `print` writes statements as sentences again and `manual` tells people
 //! about all of it. English stands nowhere else.
 
+mod absences;
 mod acting;
 pub(crate) mod adjectives;
 mod anaphora;

@@ -1,5 +1,6 @@
 //! Declarations: sentences that an author writes, one a line.
 
+use super::absences::part_absences;
 use super::anaphora::{referring, with_it_inside, with_its};
 use super::at_zero::tell_axes_at_zero;
 use super::bodies::introduced;
@@ -131,6 +132,7 @@ fn in_plain_terms(
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
+    part_absences(&mut declarations);
     tell_disturbed(&mut declarations);
     tell_normals(&mut declarations);
     end_the_same(&mut declarations);

@@ -1,17 +1,17 @@
 //! In which order turns are read: from the frame on whose axes all is worked out outwards, for the rate of an axis that is fixed
 //! in another frame needs the turns between.
 
-use crate::verify::language::statement::{Declaration, Slot, Statement, slot};
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::Said;
-use crate::verify::reading::names::name_of;
+use crate::verify::reading::names::{along_of, is_letter, name_of};
 
 impl Builder<'_> {
     /// How frames turn by the verbs and the nouns of sentences.
     pub(super) fn read_turns(&mut self) {
         let declarations = self.declarations.iter();
         let turns = declarations.filter_map(|d| Some((self.links_to_work(d)?, d)));
-        let mut turns: Vec<((usize, bool), &Declaration)> = turns.collect();
+        let mut turns: Vec<((bool, usize, bool), &Declaration)> = turns.collect();
         turns.sort_by_key(|(order, _)| *order);
         for (_, declaration) in turns {
             self.read_turn(declaration);
@@ -19,17 +19,22 @@ impl Builder<'_> {
         }
     }
 
-    /// How far from the work frame a sentence turns something, and whether by a noun, behind those with a verb.
-    fn links_to_work(&self, declaration: &Declaration) -> Option<(usize, bool)> {
-        let (subjects, by_noun) = match &declaration.statement {
+    /// When a turn is read: about a combination of axes last, as its letters may be axes of frames that turn otherwise;
+    /// then by how far from the work frame something turns, and by a noun behind those with a verb.
+    fn links_to_work(&self, declaration: &Declaration) -> Option<(bool, usize, bool)> {
+        let (subjects, slots, by_noun) = match &declaration.statement {
             Statement::Does {
                 subjects,
                 verb: "turn",
-                ..
-            } => (subjects, false),
-            Statement::Is { subjects, what } if what.head == "frame" => (subjects, true),
+                slots,
+            } => (subjects, slots, false),
+            Statement::Is { subjects, what } if what.head == "frame" => {
+                (subjects, &what.slots, true)
+            }
             _ => return None,
         };
+        let about = slot(slots, Slot::About).map(along_of);
+        let combined = matches!(about, Some(Term::Formula(formula)) if !is_letter(formula));
         let system = &self.reading.system;
         let links = |frame| system.distance(system.work, frame, &[]);
         let frames = subjects.iter().filter_map(|subject| self.frame(subject));
@@ -37,7 +42,7 @@ impl Builder<'_> {
             let parent = system.frames[frame].parent.unwrap_or(frame);
             links(frame).min(links(parent))
         });
-        Some((nearest.min()?, by_noun))
+        Some((combined, nearest.min()?, by_noun))
     }
 
     fn read_turn(&mut self, declaration: &Declaration) {
