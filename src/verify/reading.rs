@@ -54,6 +54,7 @@ pub(crate) mod order;
 pub(crate) mod orders_read;
 pub(crate) mod oscillations_read;
 pub(crate) mod parallels_read;
+mod pairs_read;
 pub(crate) mod parents_read;
 mod particle_loads;
 pub(crate) mod points_read;

@@ -162,6 +162,13 @@ pub(crate) const FULL_STOP: &str = "full stop between vectors";
 pub(crate) const PRODUCT_OF_QUATERNIONS: &str = "product of quaternions";
 /// A dot that is no dot product.
 pub(crate) const QUATERNION_DOT: &str = "dot between quaternions";
+/// Ways to set formulas of which a sentence says that they change nothing.
+pub(crate) const WAY_OF_SETTING: &str = "way of setting";
+/// Braces over or under a part of a formula, with a label.
+pub(crate) const UNDERBRACE: &str = "underbrace";
+/// The derivatives of a function.
+pub(crate) const DERIVATIVE: &str = "derivative";
+pub(crate) const PARTIAL_DERIVATIVE: &str = "partial derivative";
 /// Columns of a motion in a plane.
 pub(crate) const COLUMNS_OF_TWO: &str = "columns of two";
 /// Products that no letter names.
@@ -247,6 +254,10 @@ mod tests {
             TENSOR_PRODUCT,
             ROTATION_MATRIX,
             COLUMNS_OF_TWO,
+            WAY_OF_SETTING,
+            UNDERBRACE,
+            DERIVATIVE,
+            PARTIAL_DERIVATIVE,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();

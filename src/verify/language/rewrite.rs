@@ -213,7 +213,9 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
     };
     let one_of = |words: &[String]| {
         let token = tokens.first()?;
-        (token.kind == Kind::Word && words.contains(&token.lower)).then_some(())
+        // The lower case of a formula is empty, but for that of a sign.
+        let spoken = token.kind == Kind::Word || token.kind == Kind::Formula;
+        (spoken && words.contains(&token.lower)).then_some(())
     };
     match piece {
         Piece::Words(words) => one_of(words).and_then(|()| behind(1)),

@@ -86,8 +86,8 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
             kind,
             lower: match kind {
                 Kind::Word => text.to_lowercase(),
-                // A sign may be a part of the name of a mark.
-                Kind::Formula if text == "\\times" => text.to_string(),
+                // A sign may be spoken of as a word.
+                Kind::Formula | Kind::Plain if SIGNS.contains(&&*text) => text.to_string(),
                 _ => String::new(),
             },
             text: text.into_owned(),
@@ -97,6 +97,9 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         rest = &trimmed[length..];
     }
 }
+
+/// Signs of which sentences say how they are read.
+const SIGNS: [&str; 7] = ["\\times", "−", "-", "∴", "\\therefore", "\\_", "_"];
 
 /// Words that stand behind a name, and behind no article.
 const BEHIND_NAMES: [&str; 14] = [
@@ -133,6 +136,7 @@ const LONGEST_NAME: usize = 4;
 fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, &'static str)> {
     let single = |kind| Ok((kind, &text[..1], 1));
     match first {
+        _ if SIGNS.contains(&alone(text)) => Ok((Kind::Formula, alone(text), alone(text).len())),
         ',' => single(Kind::Comma),
         '—' | '–' => Ok((Kind::Comma, &text[..first.len_utf8()], first.len_utf8())),
         ';' => single(Kind::Semicolon),
@@ -148,6 +152,8 @@ fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, 
         '"' => enclosed(text, '"', Kind::Quoted),
         '“' => enclosed(text, '”', Kind::Quoted),
         c if c.is_alphanumeric() || "*_'′".contains(c) => Ok(word(text)),
+        '\\' if text.starts_with("\\(") => enclosed_by(text, "\\)"),
+        '\\' => Ok((Kind::Formula, raw(text), raw(text).len())),
         '.' => Err(("a second sentence begins here", "write one sentence a line")),
         _ => Err((
             "this sign has no meaning in a sentence",
@@ -180,6 +186,43 @@ fn enclosed(
             "close it with the sign that opened it",
         ),
     })
+}
+
+/// `\( … \)`
+fn enclosed_by<'t>(
+    text: &'t str,
+    close: &str,
+) -> Result<(Kind, &'t str, usize), (&'static str, &'static str)> {
+    let inside = text.find(close).and_then(|at| Some((at, text.get(2..at)?)));
+    let (at, inside) = inside.ok_or((
+        "the formula is not closed",
+        "close it with the sign that opened it",
+    ))?;
+    Ok((Kind::Formula, inside.trim(), at + close.len()))
+}
+
+/// What stands up to the next gap, without the stop at its end.
+fn alone(text: &str) -> &str {
+    let gap = text.find(char::is_whitespace).unwrap_or(text.len());
+    text[..gap].trim_end_matches(['.', ',', ';'])
+}
+
+/// A formula outside of its signs: a command with what stands close behind it, `\diff{f}{t}`.
+fn raw(text: &str) -> &str {
+    let mut depth = 0usize;
+    let ends = |&(_, c): &(usize, char)| {
+        match c {
+            '{' => depth += 1,
+            '}' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        c.is_whitespace() && depth == 0
+    };
+    let end = text
+        .char_indices()
+        .find(ends)
+        .map_or(text.len(), |(at, _)| at);
+    text[..end].trim_end_matches(['.', ',', ';', ')'])
 }
 
 fn word(text: &str) -> (Kind, &str, usize) {

@@ -178,8 +178,8 @@ pub(crate) struct System {
     pub(crate) ground: FrameId,
     /// The frame on which components are worked with.
     pub(crate) work: FrameId,
-    /// The frame on which columns of two hold the first two components.
-    pub(crate) plane: Option<FrameId>,
+    /// The two axes of a frame on which columns of two hold components.
+    pub(crate) plane: Option<(FrameId, [usize; 2])>,
     /// Whether each quantity keeps a variable of its own where a law gives its value in one term, or as it is seen from
     /// another frame: then what a line says can be told from what the laws make of it.
     pub(crate) apart: bool,

@@ -84,6 +84,7 @@ impl Builder<'_> {
         self.read_axes_of_symmetry();
         self.adapt_axes();
         self.read_incline();
+        self.read_columns_of_two();
         self.reading.letters.customs.named_axes = self.axes.of_one_frame();
     }
 

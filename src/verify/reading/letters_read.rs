@@ -21,6 +21,7 @@ use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
     are_products, is_of_products, node_of, reach_of, tells_gravity,
 };
+use crate::verify::reading::operators_read::reads_derivative;
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
@@ -83,6 +84,7 @@ impl Builder<'_> {
             Statement::Is { subjects, what } if tells_letter_at_blow(declaration) => {
                 self.read_letter_at_blow(subjects, what, declaration);
             }
+            Statement::Is { subjects, what } if reads_derivative(subjects, what) => {}
             Statement::Is { subjects, what } => {
                 self.read_noun(subjects, what, declaration);
                 self.read_where_letter_differs(subjects, what, declaration);

@@ -3,7 +3,7 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, NOTHING, PLAIN_ADVERBS, UPHILL, VERTICAL, WEIGHT,
+    DOWNHILL, MASS, NOTHING, PLAIN_ADVERBS, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING, WEIGHT,
 };
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -70,7 +70,12 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         // Primes and labels mean nothing by themselves; other signs do by custom.
         Statement::Notation { sign, meaning } => {
-            let plain = matches!(sign, Sign::Mark("prime") | Sign::Label { .. });
+            let plain = matches!(
+                sign,
+                Sign::Mark("prime")
+                    | Sign::Label { .. }
+                    | Sign::Custom(UNDERBRACE | WAY_OF_SETTING)
+            );
             *meaning == NotationMeaning::Fixed(NOTHING) && !plain
         }
         _ => false,

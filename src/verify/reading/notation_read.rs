@@ -1,10 +1,10 @@
 //! Rules for marks, labels and operators.
 
-use crate::notation::ast::{Factor, Kind, Operator};
+use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
     COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, NOTHING,
     PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
-    TENSOR_PRODUCT, TWO_DOTS,
+    TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -156,6 +156,10 @@ impl Builder<'_> {
             let letters = letters.iter().filter_map(node_of).cloned();
             return self.reading.letters.arguments.push(letters.collect());
         }
+        if let (Sign::Custom(UNDERBRACE), NotationMeaning::Fixed(NOTHING)) = (sign, meaning) {
+            self.reading.letters.customs.naming_braces.push(reach);
+            return;
+        }
         if is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING) {
             return;
         }
@@ -170,9 +174,17 @@ impl Builder<'_> {
             self.reading.letters.customs.quaternion_dots |= *between == QUATERNION_DOT;
             return;
         }
+        // They may name axes, which are read behind the signs.
+        if *sign == Sign::Custom(COLUMNS_OF_TWO) {
+            return;
+        }
         let Some(effect) = self.effect(meaning) else {
             return self.say_unused(declaration);
         };
+        // Of a label it would not tell from where the rate is seen.
+        if effect == Effect::Rate && !matches!(sign, Sign::Mark(_)) {
+            return self.say_unused(declaration);
+        }
         match sign {
             Sign::Mark(mark) => {
                 let Some(mark) = mark_of(mark) else {
@@ -189,12 +201,6 @@ impl Builder<'_> {
                     *meaning == NotationMeaning::Fixed("that frame");
             }
             Sign::Custom(FRAME_ABOVE) => self.label_components(&reach),
-            Sign::Custom(COLUMNS_OF_TWO) => match effect {
-                Effect::ComponentsOn(frame) if are_the_first(meaning) => {
-                    self.system().plane = Some(frame);
-                }
-                _ => self.say_unused(declaration),
-            },
             Sign::Custom(brackets) if hold_components(brackets, &effect) => {
                 self.mark_means(Mark::Brackets, effect, reach);
             }
@@ -275,6 +281,9 @@ impl Builder<'_> {
 
     fn effect(&self, meaning: &NotationMeaning) -> Option<Effect> {
         match meaning {
+            NotationMeaning::Noun(rate) if rate.head == "rate" && rate.slots.is_empty() => {
+                Some(Effect::Rate)
+            }
             NotationMeaning::Noun(phrase) => match phrase.head {
                 rate if rate.ends_with("rate") => Some(Effect::RateSeenFrom(
                     self.frame(phrase.slot(Slot::SeenFrom)?)?,
@@ -298,6 +307,7 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
     };
     match sign {
         Sign::Operator(product) if phrase.head == TENSOR_PRODUCT => has_outer_product(product),
+        Sign::Operator(dots) if phrase.head == "rate" => phrase.slots.is_empty() && is_dotted(dots),
         Sign::Operator(_) => matches!(
             phrase.head,
             "function"
@@ -324,16 +334,6 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
 /// "Braces hold components on B."
 fn hold_components(brackets: &str, effect: &Effect) -> bool {
     matches!(brackets, "braces" | "round brackets") && matches!(effect, Effect::ComponentsOn(_))
-}
-
-/// "the first two components on N": not the last ones.
-fn are_the_first(meaning: &NotationMeaning) -> bool {
-    let NotationMeaning::Noun(phrase) = meaning else {
-        return false;
-    };
-    phrase
-        .slot(Slot::Which)
-        .is_none_or(|which| *which == Term::Numbers(vec![1]))
 }
 
 /// A mark by its name: "dot on a vector".
@@ -368,6 +368,15 @@ fn last_label(formula: &Formula) -> Vec<char> {
             .map_or_else(Vec::new, |label| plain(label).chars().collect()),
         _ => vec![],
     }
+}
+
+/// Whether a formula writes a rate with dots: `\dot{()}`, `()\dot{}`.
+fn is_dotted(formula: &Formula) -> bool {
+    let style = match node_of(formula).map(|node| &node.kind) {
+        Some(Kind::TimeDerivative { style, .. }) => style,
+        _ => return false,
+    };
+    *style == DerivativeStyle::Dots
 }
 
 /// Whether a formula is a product with the sign that always means the outer one.

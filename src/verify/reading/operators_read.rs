@@ -1,10 +1,12 @@
 //! Rules for operators: d/dt, δ/δt, `a\times`, and commands of the author.
 
+use crate::notation::ast::{DerivativeStyle, Kind, Node};
+use crate::verify::language::heads::{DERIVATIVE, PARTIAL_DERIVATIVE};
 use crate::verify::language::statement::{
-    Declaration, Formula, NotationMeaning, Sign, Slot, Statement, Term,
+    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::names::{name_of, node_of, reach_of};
 use crate::verify::term::letters::{Effect, Mark, MarkRule, spelled};
 
 impl Builder<'_> {
@@ -53,6 +55,38 @@ impl Builder<'_> {
         );
         let single = written.trim().strip_prefix('\\') == Some(command.as_str());
         single && !name.is_empty() && command.ends_with(&name)
+    }
+}
+
+/// Whether a sentence says of a writing of a derivative what it shows: "`\diff{f}{t}` is the derivative of f in t".
+pub(super) fn reads_derivative(subjects: &[Term], what: &NounPhrase) -> bool {
+    let partial = what.head == PARTIAL_DERIVATIVE;
+    if !partial && what.head != DERIVATIVE {
+        return false;
+    }
+    let [Term::Formula(written)] = subjects else {
+        return false;
+    };
+    let own = |node: &Node, slot: Slot| what.slot(slot).and_then(name_of) == Some(spelled(node));
+    match node_of(written).map(|node| &node.kind) {
+        Some(Kind::Derivative {
+            operand,
+            variables,
+            partial: round,
+        }) => {
+            let variable = matches!(variables.as_slice(), [only] if own(only, Slot::In));
+            *round == partial && variable && own(operand, Slot::Of)
+        }
+        Some(Kind::TimeDerivative {
+            operand,
+            order: 1,
+            style: DerivativeStyle::Leibniz,
+            frame: None,
+        }) => {
+            let in_time = what.slot(Slot::In).and_then(name_of).as_deref() == Some("t");
+            !partial && in_time && own(operand, Slot::Of)
+        }
+        _ => false,
     }
 }
 

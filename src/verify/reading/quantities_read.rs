@@ -57,7 +57,13 @@ impl Builder<'_> {
                 "component" | PRINCIPAL_MOMENTS | PRODUCTS | "entry"
             )
         {
-            quantity = Quantity::On(quantity.boxed(), self.frame(on)?);
+            quantity = match (self.frame(on), self.pair_of_axes(phrase)) {
+                (Some(frame), _) => Quantity::On(quantity.boxed(), frame),
+                (None, pair) => {
+                    let (frame, axes) = pair?;
+                    Quantity::Pair(quantity.boxed(), frame, axes)
+                }
+            };
         }
         Some(quantity)
     }

@@ -19,6 +19,9 @@ impl Judge<'_> {
     /// What the braces on a line came to that do not hold. A brace with letters of which nothing is told names a part.
     pub(super) fn failing_braces(&mut self, line: &Line) -> Vec<Held> {
         let document = self.document;
+        if self.reading.letters.customs.braces_name_at(&self.at) {
+            return vec![];
+        }
         let texts = relations_of_braces(document.source.slice(line.span));
         let mut failing = vec![];
         for text in texts {

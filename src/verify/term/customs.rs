@@ -16,6 +16,8 @@ pub(crate) struct Customs {
     pub(crate) integrals: bool,
     /// Square brackets around a vector make its cross-product matrix.
     pub(crate) crossing_brackets: bool,
+    /// Where a brace with a label only names what stands in it.
+    pub(crate) naming_braces: Vec<Reach>,
     /// A dot between quaternions is their product.
     pub(crate) quaternion_dots: bool,
     /// Where the scalar stands in a quaternion.
@@ -29,6 +31,11 @@ pub(crate) struct Customs {
 impl Customs {
     /// Whether an index that stands twice is summed over at a place.
     pub(crate) fn sums_at(&self, at: &At) -> bool {
+    /// Whether a brace with a label says nothing at a place.
+    pub(crate) fn braces_name_at(&self, at: &At) -> bool {
+        self.naming_braces.iter().any(|reach| reach.covers(at, 0))
+    }
+
         self.summed.iter().any(|reach| reach.covers(at, 0))
     }
 }

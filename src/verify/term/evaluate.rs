@@ -44,6 +44,10 @@ impl System {
                 value.basis = [Basis::On(*frame); 2];
                 value
             }
+            Quantity::Pair(of, frame, axes) => {
+                let vector = self.value_of(of)?;
+                self.on_two_axes(&vector, (*frame, *axes))?
+            }
             Quantity::Scaled(of, factor) => self.value_of(of)?.scaled(factor),
             Quantity::Sum(terms) => {
                 let mut sum = Value::scalar(Fraction::zero());

@@ -151,6 +151,8 @@ pub(crate) enum Effect {
     ComponentsOn(FrameId),
     /// The rate seen from a frame.
     RateSeenFrom(FrameId),
+    /// What a dot means.
+    Rate,
     /// The cross-product matrix.
     CrossProductMatrix,
     /// The value at the instant of this number.

@@ -56,6 +56,7 @@ impl Quantity {
             | Self::Magnitude(of)
             | Self::CrossProductMatrix(of)
             | Self::On(of, _)
+            | Self::Pair(of, ..)
             | Self::Scaled(of, _) => *of = inner(of),
             Self::Sum(terms) => *terms = terms.iter().map(|t| t.with_index(from, to)).collect(),
             _ => {}
@@ -91,6 +92,7 @@ impl Quantity {
             | Self::Magnitude(of)
             | Self::CrossProductMatrix(of)
             | Self::On(of, _)
+            | Self::Pair(of, ..)
             | Self::Scaled(of, _) => of.is_indexed(),
             Self::Sum(terms) => terms.iter().any(Self::is_indexed),
             _ => false,

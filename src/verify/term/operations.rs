@@ -225,13 +225,13 @@ impl System {
         if same {
             return self.brought_together(a, b, custom);
         }
-        if let Some(frame) = self.plane {
+        if let Some(plane) = self.plane {
             let column = |value: &Value| (value.rows, value.columns) == (2, 1);
             if a.is_vector() && column(b) {
-                return Ok((self.first_two(a, frame)?, b.clone()));
+                return Ok((self.on_two_axes(a, plane)?, b.clone()));
             }
             if column(a) && b.is_vector() {
-                return Ok((a.clone(), self.first_two(b, frame)?));
+                return Ok((a.clone(), self.on_two_axes(b, plane)?));
             }
         }
         // A lone 0 stands for whatever is zero, and a row for a column where only one of them is written out.
@@ -260,10 +260,14 @@ impl System {
 }
 
 impl System {
-    /// The first two components of a vector on a frame.
-    fn first_two(&mut self, vector: &Value, frame: FrameId) -> Valued {
+    /// The components of a vector on two axes of a frame.
+    pub(super) fn on_two_axes(
+        &mut self,
+        vector: &Value,
+        (frame, axes): (FrameId, [usize; 2]),
+    ) -> Valued {
         let vector = vector.to_vector()?;
-        let entries = [0, 1].map(|axis| self.axis(frame, axis).dot(&vector));
+        let entries = axes.map(|axis| self.axis(frame, axis).dot(&vector));
         Ok(Value::written(2, 1, entries.to_vec()))
     }
 }

@@ -161,6 +161,8 @@ pub(crate) enum Quantity {
     },
     /// Components on a frame in place of the vector.
     On(Box<Quantity>, FrameId),
+    /// The column of the components of a vector on two axes of a frame.
+    Pair(Box<Quantity>, FrameId, [usize; 2]),
     /// Something already worked out.
     Known(Value),
     Scaled(Box<Quantity>, Fraction),
@@ -192,6 +194,7 @@ impl Quantity {
             | Self::Component { of, .. }
             | Self::Entry { of, .. }
             | Self::On(of, _)
+            | Self::Pair(of, ..)
             | Self::Scaled(of, _) => of.law(),
             _ => "definition",
         }
@@ -201,6 +204,7 @@ impl Quantity {
     pub(crate) fn frame(&self) -> Option<FrameId> {
         match self {
             Self::Component { on, .. } | Self::Entry { on, .. } | Self::On(_, on) => Some(*on),
+            Self::Pair(_, on, _) => Some(*on),
             Self::Scaled(of, _) => of.frame(),
             _ => None,
         }

@@ -1,12 +1,15 @@
 //! What a symbol stands for: its own sentence first, then its labels and marks, then custom.
 
-use crate::notation::ast::{Node, Symbol};
+use crate::notation::ast::{DerivativeStyle, Kind, Node, Symbol};
 use crate::notation::print;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
+
+/// Why the rate of a vector is not read of a mark that speaks of no frame.
+const RATE_OF_VECTOR: &str = "a rate that is seen from no frame";
 
 /// Labels that number the axes of whatever frame is meant.
 const NUMBERED: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"]];
@@ -185,6 +188,11 @@ impl Lowering<'_> {
                 on(value, *frame)
             }
             Effect::RateSeenFrom(frame) => self.system.rate_of_value(&value, *frame)?,
+            Effect::Rate if value.is_scalar() => {
+                let ground = self.system.ground;
+                self.system.rate_of_value(&value, ground)?
+            }
+            Effect::Rate => return beyond(RATE_OF_VECTOR),
             Effect::CrossProductMatrix => value.cross_product_matrix()?,
             Effect::AtInstant(_) => return beyond(AT_INSTANT),
             Effect::AtBlow(side) => self.at_blow(&value, *side)?,
@@ -351,6 +359,9 @@ impl Lowering<'_> {
         let Some(effect) = self.letters.mark(mark, self.at).cloned() else {
             return Ok(None);
         };
+        if effect == Effect::Rate {
+            return self.value(&dotted(&base)).map(Some);
+        }
         let value = self.unlabelled(|lowering| match effect {
             Effect::CrossProductMatrix => lowering.vector(&base),
             _ => lowering.symbol(&base),
@@ -387,7 +398,19 @@ pub(super) fn on(value: Value, frame: FrameId) -> Value {
 /// The frame that an array is on.
 pub(crate) fn symbol_node(symbol: &Symbol) -> Node {
     Node {
-        kind: crate::notation::ast::Kind::Symbol(symbol.clone()),
+        kind: Kind::Symbol(symbol.clone()),
         span: crate::source::Span::default(),
     }
+}
+
+/// A letter with a dot.
+fn dotted(symbol: &Symbol) -> Node {
+    let kind = Kind::TimeDerivative {
+        operand: Box::new(symbol_node(symbol)),
+        order: 1,
+        style: DerivativeStyle::Dots,
+        frame: None,
+    };
+    let span = crate::source::Span::default();
+    Node { kind, span }
 }

@@ -1,0 +1,50 @@
+//! Columns of two entries: the components of vectors on two axes of a frame, for motion in the plane of both.
+
+use crate::verify::language::heads::COLUMNS_OF_TWO;
+use crate::verify::language::statement::{
+    NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+};
+use crate::verify::model::system::FrameId;
+use crate::verify::reading::builder::Builder;
+
+impl Builder<'_> {
+    /// "A column of two holds the first two components on N", "… components on x and y".
+    pub(super) fn read_columns_of_two(&mut self) {
+        for declaration in self.declarations {
+            let Statement::Notation {
+                sign: Sign::Custom(COLUMNS_OF_TWO),
+                meaning: NotationMeaning::Noun(phrase),
+            } = &declaration.statement
+            else {
+                continue;
+            };
+            let on = phrase.slot(Slot::On).and_then(|on| self.frame(on));
+            let first = on.filter(|_| are_the_first(phrase));
+            let pair = first.map(|frame| (frame, [0, 1]));
+            match pair.or_else(|| self.pair_of_axes(phrase)) {
+                Some(pair) if phrase.head == "component" => self.system().plane = Some(pair),
+                _ => self.say_unused(declaration),
+            }
+        }
+    }
+
+    /// "in components on x and y": two axes of one frame.
+    pub(super) fn pair_of_axes(&self, phrase: &NounPhrase) -> Option<(FrameId, [usize; 2])> {
+        let axes: Option<Vec<(FrameId, usize)>> = phrase
+            .all(Slot::On)
+            .map(|on| self.axis_of_frame(on))
+            .collect();
+        match axes?.as_slice() {
+            &[(frame, one), (other, two)] if frame == other && one != two => {
+                Some((frame, [one, two]))
+            }
+            _ => None,
+        }
+    }
+}
+
+/// "the first two components on N": not the last ones.
+fn are_the_first(components: &NounPhrase) -> bool {
+    let which = components.slot(Slot::Which);
+    which.is_none_or(|which| *which == Term::Numbers(vec![1]))
+}
