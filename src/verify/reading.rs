@@ -3,6 +3,7 @@
 pub(crate) mod about_read;
 pub(crate) mod adapted_axes;
 pub(crate) mod any_read;
+mod axes_besides;
 pub(crate) mod axes_in_order;
 pub(crate) mod axes_read;
 mod axis_names;
@@ -53,8 +54,8 @@ pub(crate) mod operators_read;
 pub(crate) mod order;
 pub(crate) mod orders_read;
 pub(crate) mod oscillations_read;
-pub(crate) mod parallels_read;
 mod pairs_read;
+pub(crate) mod parallels_read;
 pub(crate) mod parents_read;
 mod particle_loads;
 pub(crate) mod points_read;

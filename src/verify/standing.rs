@@ -25,6 +25,7 @@ pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;
 pub(crate) mod trial;
+pub(crate) mod two_meanings;
 pub(crate) mod unused;
 pub(crate) mod verdicts;
 pub(crate) mod written;

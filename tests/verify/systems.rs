@@ -36,6 +36,7 @@ mod told_by_equations;
 mod told_by_lines;
 mod told_places;
 mod virtual_power;
+mod ways_to_write;
 mod what_is_not_heard;
 mod whose;
 mod word_for_word;

@@ -26,6 +26,7 @@ pub(crate) const ONE_ELEMENT: &str =
 pub(crate) const UNTIED: &str = "a value at an instant is not worked out";
 pub(crate) const HOLDS_AT_INSTANT: &str =
     "it holds at an instant, and the motion from there is not worked out";
+pub(crate) const OPEN_MEANING: &str = "the types do not tell which of its meanings a letter has";
 pub(crate) const OPEN_SIGNS: &str = "more than one sign is left open";
 pub(crate) const ALWAYS_THE_SAME: &str = "both sides are always the same";
 pub(crate) const MOSTLY_THE_SAME: &str = "both sides are the same, but where something vanishes";

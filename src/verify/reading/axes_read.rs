@@ -210,6 +210,11 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let Term::Name(name) = subject else { return };
+        // Where it is the axis of a frame that may turn, it is that one.
+        let told = self.told_axes(name);
+        if !told.is_empty() && !told.contains(&(frame, axis)) {
+            return;
+        }
         let rows = read_formula(name, 0, &Macros::default()).pop();
         if let Some(Row::Expression(node)) = rows
             && matches!(node.kind, Kind::Symbol(_))

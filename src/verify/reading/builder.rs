@@ -100,6 +100,7 @@ pub(crate) fn build(
     builder.read_roles();
     builder.read_instants(&conditional);
     builder.read_candidates();
+    builder.name_axes_by_custom();
     builder.say_unheard();
     builder.widen_unused();
     builder.connect_unused(&conditional);

@@ -115,8 +115,10 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let node = node_of(formula)?.clone();
+        let axes = self.names_of_axes(&node, declaration);
         for letter in symbols_in(&node) {
-            if self.is_told_by_itself(&letter, declaration) {
+            let names_axis = axes.iter().any(|(axis, _)| axis.source == letter.source);
+            if names_axis || self.is_told_by_itself(&letter, declaration) {
                 continue;
             }
             let size = self.scalar(&letter, declaration);

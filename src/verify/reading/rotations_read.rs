@@ -1,6 +1,6 @@
 //! Matrices of rotations by an angle about a vector, and functions that give them.
 
-use crate::notation::ast::{Function, Kind};
+use crate::notation::ast::{Bracket, Function, Kind, Node};
 use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::frames::about_vector;
@@ -43,12 +43,20 @@ impl Builder<'_> {
                 });
                 continue;
             }
+            if what.head == CROSS_PRODUCT_MATRIX && is_in_square_brackets(node) {
+                self.reading.letters.customs.crossing_brackets = true;
+                continue;
+            }
             let head = match &node.kind {
+                // It is read so anyway.
+                Kind::Function(..) | Kind::Skew(_) => continue,
                 Kind::Call(head, _) => Some((**head).clone()),
                 Kind::Product(factors) => factors.first().map(|f| f.node.clone()),
                 _ => None,
             };
-            let Some(head) = head else { continue };
+            let Some(head) = head else {
+                return self.say_unused(declaration);
+            };
             let about = axes.get(place).or(axes.last()).copied();
             let axis = about.and_then(|term| self.number_of_axis(term));
             let operator = match (what.head, axis) {
@@ -119,4 +127,16 @@ fn is_by_length(what: &NounPhrase) -> bool {
     };
     let any = letter(Slot::ForAny).map(spelled);
     any.is_some() && by.map(spelled) == any && letter(Slot::About).map(spelled) == any
+}
+
+/// `[a]`
+fn is_in_square_brackets(node: &Node) -> bool {
+    let letter = |inner: &Node| matches!(inner.kind, Kind::Symbol(_));
+    match &node.kind {
+        Kind::Group(Bracket::Square, inner) => letter(inner),
+        Kind::Matrix(rows) => {
+            matches!(rows.as_slice(), [row] if matches!(row.as_slice(), [only] if letter(only)))
+        }
+        _ => false,
+    }
 }

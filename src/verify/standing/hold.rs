@@ -11,14 +11,11 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::sides::{Both, both, factors};
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::standing::written::{bounds_in, symbols_of};
+use crate::verify::standing::written::bounds_in;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{GROWN, Trouble, Value};
 use num_traits::Zero;
 use std::collections::BTreeSet;
-
-/// Letters with two meanings are taken in either at no more places of a link.
-const MOST_DOUBLED: usize = 6;
 
 /// What one link of a line came to.
 #[derive(Clone, Debug)]
@@ -198,34 +195,11 @@ impl Judge<'_> {
             Err((Trouble::IllTyped(_), _)) if !self.doubled(link).is_empty() => {
                 self.hold_by_types(link)
             }
-            worked_out => self.hold_sides(link, worked_out),
+            worked_out => {
+                let held = self.hold_sides(link, worked_out);
+                self.or_by_axes(link, held)
+            }
         }
-    }
-
-    /// Where letters mean two things, that is meant with which the types fit, if it is one.
-    fn hold_by_types(&mut self, link: &Link) -> Held {
-        let doubled = self.doubled(link);
-        let choices = (1..1usize << doubled.len().min(MOST_DOUBLED)).map(|choice| {
-            let chosen = doubled.iter().enumerate();
-            let chosen = chosen.filter(|(at, _)| choice >> at & 1 == 1);
-            chosen.map(|(_, place)| place.clone()).collect()
-        });
-        let choices: Vec<BTreeSet<_>> = choices.collect();
-        let mut fitting = choices.iter().map(|choice| self.sides(link, choice));
-        let fitting: Vec<_> = fitting.by_ref().filter(Result::is_ok).take(2).collect();
-        match <[_; 1]>::try_from(fitting) {
-            Ok([only]) => self.hold_sides(link, only),
-            Err(_) => Held::open("the types do not tell which of its meanings a letter has"),
-        }
-    }
-
-    /// The places on a link of letters that mean something besides.
-    fn doubled(&self, link: &Link) -> Vec<(String, usize)> {
-        let symbols = symbols_of(&[&link.left, &link.right]);
-        let has = |(writing, _): &(String, usize)| {
-            self.reading.letters.besides(writing, &self.at).is_some()
-        };
-        symbols.into_iter().filter(has).collect()
     }
 
     pub(super) fn hold_sides(&mut self, link: &Link, sides: WorkedOut) -> Held {

@@ -3,7 +3,7 @@
 use crate::verify::model::system::FrameId;
 use crate::verify::term::letters::{At, Reach};
 use crate::verify::term::quaternions::Layout;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Customs of writing.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,18 +24,20 @@ pub(crate) struct Customs {
     pub(crate) layout: Layout,
     /// The names of axes that only one frame has.
     pub(crate) named_axes: BTreeMap<String, (FrameId, usize)>,
+    /// Letters of which nothing is told but that axes have their names.
+    pub(crate) named_only: BTreeSet<String>,
     /// How many dimensions space has, where.
     pub(crate) dimensions: Vec<(Reach, usize)>,
 }
 
 impl Customs {
-    /// Whether an index that stands twice is summed over at a place.
-    pub(crate) fn sums_at(&self, at: &At) -> bool {
     /// Whether a brace with a label says nothing at a place.
     pub(crate) fn braces_name_at(&self, at: &At) -> bool {
         self.naming_braces.iter().any(|reach| reach.covers(at, 0))
     }
 
+    /// Whether an index that stands twice is summed over at a place.
+    pub(crate) fn sums_at(&self, at: &At) -> bool {
         self.summed.iter().any(|reach| reach.covers(at, 0))
     }
 }

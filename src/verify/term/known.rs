@@ -96,7 +96,8 @@ impl Lowering<'_> {
                 false => Ok(value),
             };
         }
-        if !self.axes.is_empty() || !self.letters.is_uniform() {
+        let told_apart = !self.axes.is_empty() || !self.occurrences.besides.is_empty();
+        if told_apart || !self.letters.is_uniform() {
             return self.new_symbol(symbol);
         }
         let written = &self.letters.written;

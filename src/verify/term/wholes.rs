@@ -25,7 +25,6 @@ impl Letters {
         self.means.is_empty()
             && self.customs.dimensions.is_empty()
             && self.customs.summed.iter().all(|reach| *reach == Reach::All)
-            && !self.letters.iter().any(|l| l.besides)
             && reaches.all(|reach| *reach == Reach::All)
     }
 }
