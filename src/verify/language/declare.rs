@@ -117,6 +117,7 @@ pub fn read_declarations(
             }
         }
     }
+    part_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
 }
 
@@ -132,7 +133,6 @@ fn in_plain_terms(
     write_letters(&mut declarations, lexicon, macros);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
-    part_absences(&mut declarations);
     tell_disturbed(&mut declarations);
     tell_normals(&mut declarations);
     end_the_same(&mut declarations);

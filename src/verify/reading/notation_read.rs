@@ -146,21 +146,32 @@ impl Builder<'_> {
         }
     }
 
+    /// Rules of writing, and those that say no more than what is custom: whether it is one of these.
+    fn read_custom(&mut self, sign: &Sign, meaning: &NotationMeaning, reach: &Reach) -> bool {
+        let letters = &mut self.reading.letters;
+        match (sign, meaning) {
+            (Sign::Custom("repeated axis index" | "repeated index"), _) => {
+                let summed = *meaning == NotationMeaning::Fixed("summed");
+                let summed = summed.then(|| reach.clone());
+                letters.customs.summed.extend(summed);
+            }
+            (Sign::Operator(_), NotationMeaning::FunctionsOf(of)) => {
+                let of = of.iter().filter_map(node_of).cloned();
+                letters.arguments.push(of.collect());
+            }
+            (Sign::Custom(UNDERBRACE), NotationMeaning::Fixed(NOTHING)) => {
+                letters.customs.naming_braces.push(reach.clone());
+            }
+            // Which axes columns of two are on is read behind the signs.
+            (Sign::Custom(COLUMNS_OF_TWO), _) => {}
+            _ => return is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING),
+        }
+        true
+    }
+
     fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
         let reach = reach_of(&declaration.extent);
-        if matches!(sign, Sign::Custom("repeated axis index" | "repeated index")) {
-            let summed = (*meaning == NotationMeaning::Fixed("summed")).then_some(reach);
-            return self.reading.letters.customs.summed.extend(summed);
-        }
-        if let (Sign::Operator(_), NotationMeaning::FunctionsOf(letters)) = (sign, meaning) {
-            let letters = letters.iter().filter_map(node_of).cloned();
-            return self.reading.letters.arguments.push(letters.collect());
-        }
-        if let (Sign::Custom(UNDERBRACE), NotationMeaning::Fixed(NOTHING)) = (sign, meaning) {
-            self.reading.letters.customs.naming_braces.push(reach);
-            return;
-        }
-        if is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING) {
+        if self.read_custom(sign, meaning, &reach) {
             return;
         }
         if let (Sign::Label { labels, .. }, NotationMeaning::Noun(instants)) = (sign, meaning)
@@ -172,10 +183,6 @@ impl Builder<'_> {
         if let (Sign::Custom(between), true) = (sign, is_quaternion_product(sign, meaning)) {
             // Side by side quaternions are multiplied so by custom.
             self.reading.letters.customs.quaternion_dots |= *between == QUATERNION_DOT;
-            return;
-        }
-        // They may name axes, which are read behind the signs.
-        if *sign == Sign::Custom(COLUMNS_OF_TWO) {
             return;
         }
         let Some(effect) = self.effect(meaning) else {

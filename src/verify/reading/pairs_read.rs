@@ -13,9 +13,13 @@ impl Builder<'_> {
         for declaration in self.declarations {
             let Statement::Notation {
                 sign: Sign::Custom(COLUMNS_OF_TWO),
-                meaning: NotationMeaning::Noun(phrase),
+                meaning,
             } = &declaration.statement
             else {
+                continue;
+            };
+            let NotationMeaning::Noun(phrase) = meaning else {
+                self.say_unused(declaration);
                 continue;
             };
             let on = phrase.slot(Slot::On).and_then(|on| self.frame(on));
