@@ -85,6 +85,7 @@ pub(crate) fn build(
     builder.name_values_at_instants(&conditional);
     let bounds = builder.read_bounds(&always);
     builder.read_letters();
+    builder.step_functions();
     builder.hold_told_places();
     builder.hold_masses();
     builder.hold_midpoints();

@@ -28,7 +28,7 @@ use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, F
 use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
-use crate::verify::reading::steps_read::EXPLICIT_EULER;
+use crate::verify::reading::steps_read::{EXPLICIT_EULER, STEP_SIZE};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
@@ -235,6 +235,7 @@ impl Builder<'_> {
             }
             EIGENVALUE => self.read_eigenvalue(subjects, what, declaration),
             EXPLICIT_EULER => Some(()),
+            STEP_SIZE => self.read_step_size(subjects, declaration),
             REMAINDER => self.read_remainder(subjects, what, declaration),
             "product" => self.read_product(subjects, what, declaration),
             // `e` with a power is the exponential function wherever it stands.
