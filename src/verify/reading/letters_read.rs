@@ -28,6 +28,7 @@ use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, F
 use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
+use crate::verify::reading::rotations_read::turns_by_argument;
 use crate::verify::reading::steps_read::{EXPLICIT_EULER, STEP_SIZE};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -204,7 +205,7 @@ impl Builder<'_> {
             "column" | "row" => self.read_column(subjects, what, declaration),
             "cosine" | "sine" | "tangent" => self.read_kernels(subjects, what, declaration),
             CROSS_PRODUCT_MATRIX | "rotation matrix" | COMPONENT_ROTATION
-                if what.slot(Slot::ForAny).is_some() =>
+                if what.slot(Slot::ForAny).is_some() || turns_by_argument(subjects, what) =>
             {
                 self.read_operator(subjects, what, declaration);
             }

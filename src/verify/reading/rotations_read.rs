@@ -112,6 +112,21 @@ impl Builder<'_> {
     }
 }
 
+/// "`$Q(v)$` is the matrix of the rotation by `$|v|$` about `$v$`": a function of the vector, for any.
+pub(super) fn turns_by_argument(subjects: &[Term], what: &NounPhrase) -> bool {
+    let about = what.slot(Slot::About).and_then(letter_of).and_then(node_of);
+    let about = about.map(spelled);
+    let of_it = |formula: &Formula| {
+        let last = node_of(formula).and_then(|node| match &node.kind {
+            Kind::Call(_, arguments) => arguments.last(),
+            Kind::Product(factors) if factors.len() == 2 => factors.last().map(|f| &f.node),
+            _ => None,
+        });
+        last.is_some() && last.map(spelled) == about
+    };
+    is_by_length(what) && formulas(subjects).all(of_it)
+}
+
 /// "by `$|v|$` about `$v$`, for any vector `$v$`", "by the length of `$v$`"
 fn is_by_length(what: &NounPhrase) -> bool {
     let letter = |slot| what.slot(slot).and_then(letter_of).and_then(node_of);
@@ -125,8 +140,9 @@ fn is_by_length(what: &NounPhrase) -> bool {
         },
         None => None,
     };
+    let about = letter(Slot::About).map(spelled);
     let any = letter(Slot::ForAny).map(spelled);
-    any.is_some() && by.map(spelled) == any && letter(Slot::About).map(spelled) == any
+    about.is_some() && by.map(spelled) == about && (any.is_none() || any == about)
 }
 
 /// `[a]`
