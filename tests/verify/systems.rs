@@ -29,6 +29,7 @@ mod signs_and_orders;
 mod slopes;
 mod sound;
 mod start;
+mod steps;
 mod taken_in_whole;
 mod tensors;
 mod textbook;
