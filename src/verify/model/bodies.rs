@@ -237,6 +237,19 @@ impl System {
             .unwrap_or_else(Vector::zeros)
     }
 
+    /// What wheels add to the kinetic energy of the body that they are part of: Σ J Ω (g·ω + Ω/2).
+    fn energy_of_rotors(&mut self, body: BodyId, frame: FrameId) -> Fraction {
+        let (Some(rotors), Some(own)) = (self.bodies[body].rotors.clone(), self.bodies[body].frame)
+        else {
+            return Fraction::zero();
+        };
+        let omega = self.angular_velocity(own, frame);
+        let half = Fraction::from_ratio(1, 2) * rotors.rate.clone();
+        let energy = rotors.inertia * rotors.rate * (rotors.axis.dot(&omega) + half);
+        self.sum(&energy, &rotors.index)
+            .unwrap_or_else(Fraction::zero)
+    }
+
     /// The kinetic energy of a body relative to a frame, by König's law; or of rotation alone, which is that of all motion
     /// relative to the mass centre.
     pub(crate) fn kinetic_energy(
@@ -249,6 +262,7 @@ impl System {
         let half = Fraction::from_ratio(1, 2);
         for part in self.wholes(body) {
             let (centre, mass) = (self.bodies[part].centre, self.bodies[part].mass.clone());
+            sum += self.energy_of_rotors(part, frame);
             if let Some(base) = self.bodies[part].base
                 && !rotation_alone
                 && self.velocity(base, frame).iter().all(Zero::is_zero)
