@@ -53,6 +53,7 @@ mod on_lines;
 mod on_rings;
 mod owners;
 pub(crate) mod phrase;
+mod placed_centres;
 mod placed_points;
 mod places;
 mod plain_letters;

@@ -365,7 +365,7 @@ fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
     what.adjectives.iter().all(|said| PLAIN.contains(said))
         && what.slots.iter().all(|(slot, term)| match (slot, term) {
             (Slot::Of, Term::Phrase(size)) => known(size.head),
-            (Slot::With, _) => false,
+            (Slot::With | Slot::From | Slot::To, _) => false,
             _ => true,
         })
 }

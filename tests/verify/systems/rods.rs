@@ -285,3 +285,33 @@ Columns of two hold the first two components on N.
     let text = "$$ \\vec v = \\begin{bmatrix} \\dot r \\\\ \\dot s \\end{bmatrix} $$\n\n$$ \\vec v = \\begin{bmatrix} \\dot s \\\\ \\dot r \\end{bmatrix} $$\n";
     assert_eq!(verdicts(said, text).0, "pr");
 }
+
+#[test]
+fn a_rod_from_a_point_has_its_mass_centre_half_of_its_length_away() {
+    let sentences = r"
+N is an inertial frame.
+x, y, z are the axes of N.
+B is a frame fixed in the bar.
+u, v, z are the axes of B.
+A is a point fixed in N and in B.
+B turns relative to N about z by the angle $\alpha$.
+The bar is a uniform thin rod of mass $m$ and length $l$ from A along u.
+$J$ is the moment of inertia of the bar about the axis through A along z.
+$T$ is the kinetic energy of the bar.
+";
+    let text = r"
+$$ J=\tfrac13 m l^2 $$
+$$ J=\tfrac1{12} m l^2 $$
+$$ T=\tfrac16 m l^2\dot\alpha^2 $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+    let placed = sentences.replace(
+        " from A along u.",
+        " along u.\nThe mass centre of the bar lies at the distance $c$ from A along u.",
+    );
+    let text = r"
+$$ J=\tfrac1{12} m l^2+m c^2 $$
+$$ J=\tfrac13 m l^2 $$
+";
+    assert_eq!(judged(&placed, text), "pr");
+}

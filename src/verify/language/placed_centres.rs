@@ -1,0 +1,55 @@
+//! "The mass centre of the rod lies at the distance `$l$` from O along e": the mass centre gets a name, to be placed by that.
+
+use super::heads::MASS_CENTRE;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// Names the mass centres that sentences place.
+pub(crate) fn name_placed_centres(declarations: &mut Vec<Declaration>) {
+    let mut told: Vec<Declaration> = vec![];
+    for at in 0..declarations.len() {
+        let Some(body) = placed_centre(&declarations[at].statement).cloned() else {
+            continue;
+        };
+        let all = declarations.iter().chain(&told);
+        let known = all
+            .into_iter()
+            .find_map(|d| centre_named(&d.statement, &body));
+        let name = match known {
+            Some(name) => name.clone(),
+            None => {
+                let name = Term::Name(format!("{MASS_CENTRE} {}", told.len() + 1));
+                let what = NounPhrase::new(MASS_CENTRE, vec![(Slot::Of, body)]);
+                told.push(declarations[at].saying(Statement::one_is(name.clone(), what)));
+                name
+            }
+        };
+        if let Statement::Does { subjects, .. } = &mut declarations[at].statement {
+            *subjects = vec![name];
+        }
+    }
+    declarations.extend(told);
+}
+
+/// The body whose mass centre a sentence places.
+fn placed_centre(statement: &Statement) -> Option<&Term> {
+    let (subjects, slots) = statement.does("lie").or_else(|| statement.does("place"))?;
+    let [Term::Phrase(centre)] = subjects else {
+        return None;
+    };
+    let placed = slots.iter().any(|(slot, _)| *slot == Slot::From);
+    match centre.slots.as_slice() {
+        [(Slot::Of, body)] if centre.head == MASS_CENTRE && placed => Some(body),
+        _ => None,
+    }
+}
+
+/// The name that a sentence gives the mass centre of a body.
+fn centre_named<'d>(statement: &'d Statement, body: &Term) -> Option<&'d Term> {
+    match statement {
+        Statement::Is { subjects, what } if what.head == MASS_CENTRE => {
+            let own = what.slots.as_slice() == [(Slot::Of, body.clone())];
+            subjects.first().filter(|_| own && subjects.len() == 1)
+        }
+        _ => None,
+    }
+}
