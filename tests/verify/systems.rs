@@ -27,6 +27,7 @@ mod round_surfaces;
 mod shapes_and_wholes;
 mod signs_and_orders;
 mod slopes;
+mod small_oscillations;
 mod sound;
 mod start;
 mod steps;

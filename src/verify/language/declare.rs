@@ -166,11 +166,7 @@ fn in_plain_terms(
     place_particles(&mut declarations);
     name_numbered(&mut declarations);
     tell_axes(&mut declarations);
-    tell_axes_at_zero(&mut declarations);
-    tell_hinges(&mut declarations);
-    name_ends(&mut declarations);
-    begin_rods(&mut declarations, macros);
-    name_placed_centres(&mut declarations);
+    tell_ends(&mut declarations, macros);
     move_along_lines(&mut declarations, macros);
     tell_gyration(&mut declarations, macros);
     fix_frames(&mut declarations);
@@ -182,12 +178,26 @@ fn in_plain_terms(
     introduce(&mut declarations);
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
-    turn_members(&mut declarations);
-    mount_wheels(&mut declarations);
-    turn_to_frames(&mut declarations);
-    fix_pivots(&mut declarations);
-    turn_about_axes_of_symmetry(&mut declarations);
+    turn_about_axes(&mut declarations);
     say_in_parts(declarations)
+}
+
+/// Where bodies end, and where they are joined.
+fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    tell_axes_at_zero(declarations);
+    tell_hinges(declarations);
+    name_ends(declarations);
+    begin_rods(declarations, macros);
+    name_placed_centres(declarations);
+}
+
+/// What turns about the axes of frames and bodies, and what is fixed there.
+fn turn_about_axes(declarations: &mut Vec<Declaration>) {
+    turn_members(declarations);
+    mount_wheels(declarations);
+    turn_to_frames(declarations);
+    fix_pivots(declarations);
+    turn_about_axes_of_symmetry(declarations);
 }
 
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.

@@ -99,12 +99,16 @@ pub(crate) const AERODYNAMIC_FORCE: &str = "aerodynamic force";
 /// Nouns of forces of one kind, of which a body has no more than one.
 pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
     ["thrust", "lift", "drag", AERODYNAMIC_FORCE, "buoyancy"];
+/// What a motor exerts.
+pub(crate) const MOTOR_MOMENT: &str = "motor moment";
+/// The time from one step to the next.
+pub(crate) const STEP_SIZE: &str = "step size";
 /// Nouns of moments of one kind.
 pub(crate) const MOMENTS_OF_A_KIND: [&str; 7] = [
     "drag moment",
     "control moment",
     "disturbance moment",
-    "motor moment",
+    MOTOR_MOMENT,
     "friction moment",
     "restoring moment",
     "aerodynamic moment",
@@ -258,6 +262,7 @@ mod tests {
             UNDERBRACE,
             DERIVATIVE,
             PARTIAL_DERIVATIVE,
+            STEP_SIZE,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();

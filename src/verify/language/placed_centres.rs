@@ -17,7 +17,7 @@ pub(crate) fn name_placed_centres(declarations: &mut Vec<Declaration>) {
         let name = match known {
             Some(name) => name.clone(),
             None => {
-                let name = Term::Name(format!("{MASS_CENTRE} {}", told.len() + 1));
+                let name = Term::Name(new_name(declarations, told.len()));
                 let what = NounPhrase::new(MASS_CENTRE, vec![(Slot::Of, body)]);
                 told.push(declarations[at].saying(Statement::one_is(name.clone(), what)));
                 name
@@ -28,6 +28,18 @@ pub(crate) fn name_placed_centres(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(told);
+}
+
+/// A name of a mass centre that no sentence writes.
+fn new_name(declarations: &[Declaration], known: usize) -> String {
+    let written = |number: &usize| {
+        let names = [format!("G{number}"), format!("G_{number}")];
+        let mut all = declarations.iter();
+        all.any(|d| names.iter().any(|name| d.text.contains(name)))
+    };
+    let mut numbers = known + 1..;
+    let free = numbers.find(|number| !written(number));
+    format!("G{}", free.unwrap_or_default())
 }
 
 /// The body whose mass centre a sentence places.

@@ -17,7 +17,15 @@ impl Builder<'_> {
             Whole::Member(..) => 0,
         };
         let Some(term) = phrase.slot(Slot::About) else {
-            return Some(centre);
+            // "no moment along the axis through O"
+            return match phrase.slot(Slot::Along) {
+                Some(Term::Phrase(axis)) if phrase.head == MOMENT => match axis.slot(Slot::Through)
+                {
+                    Some(through) => self.point(through),
+                    None => Some(centre),
+                },
+                _ => Some(centre),
+            };
         };
         self.point(term).or_else(|| match term {
             Term::Phrase(point) if point.head == MASS_CENTRE => None,

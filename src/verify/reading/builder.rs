@@ -96,6 +96,7 @@ pub(crate) fn build(
     builder.read_bounds(bounds);
     builder.read_premises();
     builder.hold_working_loads();
+    builder.hold_small_oscillations();
     builder.read_obeyed();
     builder.hold_at_blow();
     builder.read_roles();

@@ -3,8 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA,
-    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, TENSOR_PRODUCT,
-    UPHILL,
+    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, STEP_SIZE,
+    TENSOR_PRODUCT, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -29,7 +29,7 @@ use crate::verify::reading::quaternions_read::layout;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::rotations_read::turns_by_argument;
-use crate::verify::reading::steps_read::{EXPLICIT_EULER, STEP_SIZE};
+use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 

@@ -178,16 +178,8 @@ impl Builder<'_> {
         }
         let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
         if load.head == MOMENT && letters.is_empty() && lasting == Lasting::Always {
-            // What holds an end may turn it in any way.
-            let moment = self.free_load(&format!("M_{{{at}}}"), None)?;
-            listed.loads.push(Load {
-                called: Called::Nothing,
-                at: None,
-                value: moment,
-                lasting,
-                on: Some(listed.body),
-                part: false,
-            });
+            let moment = self.moment_at(at, listed.body)?;
+            listed.loads.push(moment);
             return Some(());
         }
         if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
@@ -211,6 +203,18 @@ impl Builder<'_> {
             }
         }
         Some(())
+    }
+
+    /// "the moment at O": what holds an end may turn it in any way.
+    fn moment_at(&mut self, at: PointId, body: BodyId) -> Option<Load> {
+        Some(Load {
+            called: Called::Nothing,
+            at: None,
+            value: self.free_load(&format!("M_{{{at}}}"), None)?,
+            lasting: Lasting::Always,
+            on: Some(body),
+            part: false,
+        })
     }
 
     /// The weight, a load by its noun, or loads by letters that other sentences tell.

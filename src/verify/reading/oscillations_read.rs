@@ -7,6 +7,7 @@ use crate::verify::model::atoms::whole;
 use crate::verify::model::system::Matrix;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
+use crate::verify::reading::small_oscillations::small_oscillation;
 
 /// The noun of how long an oscillation takes.
 pub(super) const PERIOD: &str = "period";
@@ -28,6 +29,10 @@ impl Builder<'_> {
         let [Term::Formula(letter)] = subjects else {
             return None;
         };
+        // The equations of motion tell it, once they are known.
+        if small_oscillation(what).is_some() {
+            return Some(());
+        }
         let ([(Slot::Of, of)], []) = (what.slots.as_slice(), what.adjectives.as_slice()) else {
             return None;
         };

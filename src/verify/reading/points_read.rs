@@ -1,7 +1,9 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
 use crate::algebra::{Fraction, Place};
-use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{
+    Declaration, Extent, NotationMeaning, Sign, Slot, Statement, Term, slot,
+};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
@@ -324,10 +326,26 @@ impl Builder<'_> {
             _ => return false,
         };
         let letter = node_of(formula).map(spelled);
-        let written = |letter: String| self.reading.letters.written.has(&rate_of(&letter));
+        let written = |letter: String| {
+            let all = &self.reading.letters.written;
+            let primed = || all.has(&format!("{letter}'")) || all.has(&format!("{letter}''"));
+            all.has(&rate_of(&letter)) || self.primes_are_rates() && primed()
+        };
         let mut declarations = self.declarations.iter();
         letter.is_some_and(written)
             || declarations.any(|d| defined_as(formula, &d.statement).is_some())
+    }
+
+    /// "A prime means the rate."
+    fn primes_are_rates(&self) -> bool {
+        let mut declarations = self.declarations.iter();
+        declarations.any(|d| match &d.statement {
+            Statement::Notation {
+                sign: Sign::Mark("prime"),
+                meaning: NotationMeaning::Noun(noun),
+            } => noun.head.ends_with("rate") || noun.head == "derivative",
+            _ => false,
+        })
     }
 
     /// A distance of which no rate is written is constant.

@@ -3,6 +3,7 @@
 use crate::algebra::{Fraction, Place};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::{Macros, read_formula};
+use crate::verify::language::heads::STEP_SIZE;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -13,8 +14,6 @@ use crate::verify::term::letters::{Meaning, spelled};
 pub(super) const STEP: &str = "step";
 /// The step by which x becomes x + h ẋ.
 pub(super) const EXPLICIT_EULER: &str = "explicit Euler";
-/// The time from one step to the next.
-pub(super) const STEP_SIZE: &str = "step size";
 
 impl Builder<'_> {
     /// "`$x_k$` is the value of `$x$` at step `$k$`": it is x then, and where the step is explicit Euler, `$x_{k+1}$` is

@@ -99,12 +99,7 @@ impl Builder<'_> {
                     subjects,
                     verb: "swing" | "move" | "fall",
                     ..
-                } => subjects.iter().all(|subject| {
-                    let body = self.body(subject);
-                    body.is_some_and(|body| {
-                        self.turns_in_plane(body) && self.moves_in_vertical_plane(body)
-                    })
-                }),
+                } => subjects.iter().all(|subject| self.swings(subject)),
                 Statement::Does {
                     subjects,
                     verb: "pass",
@@ -119,6 +114,11 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
+    }
+
+    fn swings(&self, subject: &Term) -> bool {
+        let swings = |body| self.turns_in_plane(body) && self.moves_in_vertical_plane(body);
+        self.body(subject).is_some_and(swings)
     }
 
     /// Whether it is said where a thing lies, or along what line of its shape.

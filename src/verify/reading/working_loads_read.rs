@@ -3,7 +3,7 @@
 
 use crate::algebra::Variable;
 use crate::verify::facts::premises::Facts;
-use crate::verify::language::heads::{MOMENT, WEIGHT};
+use crate::verify::language::heads::{MOMENT, MOTOR_MOMENT, WEIGHT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
 };
@@ -12,15 +12,13 @@ use crate::verify::model::system::{BodyId, Vector};
 use crate::verify::model::virtual_power::Effort;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::loads_read::letters_of;
+use crate::verify::reading::loads_read::{FORCES, letters_of};
 use crate::verify::reading::names::name_of;
 use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::letters::Reach;
 
 /// What drives a body, and no body itself.
 pub(super) const MOTOR: &str = "motor";
-/// What it exerts.
-const MOTOR_MOMENT: &str = "motor moment";
 
 /// What joins bodies without work.
 const JOINTS: [&str; 6] = ["joint", "hinge", "pin", "bearing", "axle", "pivot"];
@@ -257,8 +255,16 @@ impl Builder<'_> {
                 false => Some(pairs),
             };
         };
-        let at = self.point(at).filter(|_| load.head != MOMENT)?;
+        let at = self.point(at).filter(|_| FORCES.contains(&load.head))?;
         let named = self.loads_at(at, Lasting::Always);
+        let system = &self.reading.system;
+        let carried = |body: &&BodyId| {
+            let frame = system.bodies[**body].frame;
+            frame.is_some_and(|frame| system.points[at].fixed_in.contains(&frame))
+        };
+        if named.is_empty() && bodies.iter().filter(carried).count() > 1 {
+            return Some(vec![]);
+        }
         let loads = match named.is_empty() {
             true => vec![self.open_load(load.head, at, None, declaration)?],
             false => named,

@@ -1,6 +1,6 @@
 //! Rods and links: their ends, their hinges, the axis that a body has of its own.
 
-use super::verdicts;
+use super::{judged, verdicts};
 
 #[test]
 fn a_rod_that_hangs_from_a_hinge_swings_as_a_physical_pendulum() {

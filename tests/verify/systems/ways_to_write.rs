@@ -245,3 +245,23 @@ $$ (c w)\dot{}=\dot c\dot w $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_letter_with_a_prime_that_means_the_rate_moves() {
+    let sentences = r"
+N is an inertial frame.
+$e$, $s$, $k$ are the axes of A.
+A turns relative to N about $k$ by the angle $\psi$.
+O is a point fixed in N and in A.
+P is a particle of mass $m$.
+P is placed from O by $R\sin\theta\,e-R\cos\theta\,k$.
+The force $F(\sin\theta\,e-\cos\theta\,k)$ and the force $S s$ are the only loads on P.
+A prime means the rate seen from N.
+";
+    let text = r"
+$$ \theta' = 0 $$
+$$ S = m R (\psi''\sin\theta + 2\psi'\theta'\cos\theta) $$
+$$ S = m R (\psi''\sin\theta + \psi'\theta'\cos\theta) $$
+";
+    assert_eq!(judged(sentences, text), "rpr");
+}
