@@ -174,7 +174,7 @@ impl<'a> Lowering<'a> {
             Kind::Skew(inner) => self.skew(node, inner),
             Kind::Group(bracket, inner) => self.group(*bracket, inner),
             Kind::Norm(inner) => self.norm(inner),
-            Kind::Tuple(entries) => self.list(std::slice::from_ref(entries), true),
+            Kind::Tuple(entries) => self.tuple(std::slice::from_ref(entries)),
             Kind::Matrix(rows) => self.matrix(rows),
             Kind::Determinant(rows) => self.determinant(rows),
             Kind::TimeDerivative {

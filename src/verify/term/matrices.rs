@@ -25,6 +25,19 @@ impl Lowering<'_> {
         }
     }
 
+    /// A list of components; lists in square brackets within one are the rows of a matrix, as in code.
+    pub(super) fn tuple(&mut self, list: &[Vec<Node>]) -> Valued {
+        let row = |entry: &Node| match &entry.kind {
+            Kind::Tuple(row) if self.source.slice(entry.span).starts_with('[') => Some(row.clone()),
+            _ => None,
+        };
+        let rows: Option<Vec<Vec<Node>>> = list.iter().flatten().map(row).collect();
+        match rows {
+            Some(rows) => self.list(&rows, false),
+            None => self.list(list, true),
+        }
+    }
+
     /// A list of components, or a matrix row by row; entries may be vectors side by side.
     pub(super) fn list(&mut self, rows: &[Vec<Node>], column: bool) -> Valued {
         let seen = std::mem::take(&mut self.frames_seen);
