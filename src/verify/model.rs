@@ -16,4 +16,5 @@ pub(crate) mod powers;
 pub(crate) mod sums;
 pub(crate) mod system;
 pub(crate) mod unplaced;
+pub(crate) mod variations;
 pub(crate) mod virtual_power;

@@ -15,6 +15,7 @@ pub(crate) mod body_lines;
 pub(crate) mod bounds_read;
 pub(crate) mod boxes_read;
 pub(crate) mod builder;
+pub(crate) mod changes_read;
 mod columns_read;
 pub(crate) mod components_read;
 pub(crate) mod compounds_read;
@@ -66,6 +67,7 @@ pub(crate) mod products_read;
 pub(crate) mod quantities_read;
 pub(crate) mod quaternions_read;
 pub(crate) mod reactions_read;
+pub(crate) mod reference_motion;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 pub(crate) mod rest_read;
@@ -90,7 +92,7 @@ pub(crate) mod wholes;
 pub(crate) mod work_frame;
 mod working_loads_read;
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Node};
 use crate::notation::print::latex;
 use crate::verify::Role;
@@ -165,8 +167,36 @@ pub(crate) struct Sizes {
     pub(crate) small: Vec<(Reach, Small)>,
     /// Remainders, where they are told, as they are spelled, and what is small by them.
     pub(crate) remainders: Vec<(Reach, String, Small)>,
+    /// What is told of motions nearby.
+    pub(crate) changes: Changes,
     /// The letters of the state from which others are small deviations, as they are spelled.
     pub(crate) reference: BTreeSet<String>,
+}
+
+/// What is told of first-order changes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Changes {
+    /// Whether sentences tell of any.
+    pub(crate) told: bool,
+    /// The small disturbances beside them: it is open whether these are changes as well.
+    pub(crate) disturbances: BTreeSet<Variable>,
+    /// The premises that hold in any motion of the system, by their places in the list.
+    pub(crate) laws: Vec<usize>,
+    /// The lines that define letters.
+    pub(crate) definitions: Vec<(Fraction, Source)>,
+    /// Jacobians that are not worked out yet.
+    pub(crate) jacobians: Vec<Jacobian>,
+}
+
+/// A letter for the partial derivatives of a vector, which may be defined further below.
+#[derive(Clone, Debug)]
+pub(crate) struct Jacobian {
+    pub(crate) letter: Node,
+    pub(crate) of: Node,
+    pub(crate) by: Vec<Node>,
+    /// Whether each component of the vector has a column, and not a row.
+    pub(crate) transposed: bool,
+    pub(crate) sentence: String,
 }
 
 impl Reading {

@@ -12,6 +12,7 @@ pub(crate) mod given_lines;
 pub(crate) mod heard;
 pub(crate) mod hold;
 pub(crate) mod indices;
+pub(crate) mod jacobians;
 pub(crate) mod judge;
 pub(crate) mod kept;
 pub(crate) mod memory;

@@ -24,5 +24,6 @@ pub(crate) mod spelled;
 pub(crate) mod symbols;
 pub(crate) mod unknown;
 pub(crate) mod value;
+pub(crate) mod variations;
 pub(crate) mod wholes;
 pub(crate) mod written;

@@ -4,6 +4,7 @@ mod angles;
 mod between_instants;
 mod blows;
 mod by_vectors;
+mod changes;
 mod counted;
 mod incline;
 mod instants;

@@ -2,7 +2,7 @@
 
 use crate::algebra::{Monomial, Polynomial, Rational, Variable};
 use crate::verify::model::atoms::{Atoms, Nature};
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// Variables of which only so many powers count, those of their rates among them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -53,6 +53,25 @@ impl Small {
             at = atoms.atom(variable).rate_of;
         }
         false
+    }
+
+    /// Whether a variable is small, or the sine or cosine of an angle that is.
+    pub(crate) fn speaks_of(&self, atoms: &Atoms, variable: Variable) -> bool {
+        let own = Polynomial::variable(variable);
+        self.holds(atoms, variable) || !self.kernels(atoms, &own).is_empty()
+    }
+
+    /// The terms of a polynomial with one factor that is small.
+    pub(crate) fn linear_part(&self, atoms: &Atoms, of: &Polynomial) -> Polynomial {
+        let value = self.truncated(atoms, of);
+        let mut linear = Polynomial::zero();
+        for (monomial, coefficient) in value.terms() {
+            let mut factors = monomial.factors();
+            if factors.any(|(variable, _)| self.holds(atoms, variable)) {
+                linear += Polynomial::term(monomial.clone(), coefficient.clone());
+            }
+        }
+        linear
     }
 
     /// Whether a polynomial vanishes with what is small.

@@ -68,6 +68,14 @@ pub(crate) const START_OF_MOTION: &str = "start";
 pub(crate) const REFERENCE: &str = "reference value";
 /// By how much it is more.
 pub(crate) const DISTURBANCE: &str = "disturbance";
+/// By how much it is more in a motion nearby, to first order.
+pub(crate) const FIRST_ORDER_CHANGE: &str = "first-order change";
+/// The matrix of the partial derivatives of a vector.
+pub(crate) const JACOBIAN: &str = "Jacobian";
+/// How the entries of a Jacobian stand: a row for each component of the function.
+pub(crate) const OUTPUTS_IN_ROWS: &str = "with outputs in rows";
+/// The same transposed.
+pub(crate) const OUTPUTS_IN_COLUMNS: &str = "with outputs in columns";
 /// What something is at the start.
 pub(crate) const INITIAL_VALUE: &str = "initial value";
 /// The rate of a rate.
@@ -209,6 +217,10 @@ mod tests {
             VELOCITY,
             ACCELERATION,
             SPECIFIC_FORCE,
+            FIRST_ORDER_CHANGE,
+            JACOBIAN,
+            OUTPUTS_IN_ROWS,
+            OUTPUTS_IN_COLUMNS,
             MASS,
             MASS_CENTRE,
             MOMENTUM,

@@ -45,3 +45,5 @@ pub(crate) fn not_taken_in(line: &str) -> String {
 pub(crate) fn unknown_bound(bound: &str) -> String {
     format!("no sentence says how far a sum up to `{bound}` runs")
 }
+/// Why what is said of motions nearby is not denied.
+pub(crate) const OTHER_MOTIONS: &str = "what is told of this motion may hold in motions nearby";

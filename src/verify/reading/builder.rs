@@ -98,6 +98,7 @@ pub(crate) fn build(
     builder.hold_working_loads();
     builder.hold_small_oscillations();
     builder.read_obeyed();
+    builder.vary_laws();
     builder.hold_at_blow();
     builder.read_roles();
     builder.read_instants(&conditional);
@@ -143,12 +144,12 @@ impl Builder<'_> {
         if !equation.is_valid() || self.is_full() {
             return self.say_beyond(declaration);
         }
-        let premise = Premise {
+        self.note_law(declaration);
+        self.reading.premises.push(Premise {
             equation,
             source: Self::source_of(declaration),
             reach: reach_of(&declaration.extent),
-        };
-        self.reading.premises.push(premise);
+        });
     }
 
     /// Whether no more sentences are taken in: what they say together grew too large.
@@ -219,7 +220,7 @@ impl Builder<'_> {
         let node = node_of(formula)?;
         let spelled = spelled(node);
         Some(Letter {
-            whole: spelled.contains(['\\', '{', ' ', '[', '^']),
+            whole: spelled.contains(['\\', '{', ' ', '[', '^', '(']),
             spelled,
             loose: loosely(node),
             latex: formula.source.clone(),

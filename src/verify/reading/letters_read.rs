@@ -2,9 +2,9 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, IMAGINARY_UNIT, MOMENT_OF_INERTIA,
-    NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, STEP_SIZE,
-    TENSOR_PRODUCT, UPHILL,
+    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, FIRST_ORDER_CHANGE, IMAGINARY_UNIT,
+    JACOBIAN, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY,
+    QUATERNION, REFERENCE, STEP_SIZE, TENSOR_PRODUCT, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -236,6 +236,8 @@ impl Builder<'_> {
             }
             EIGENVALUE => self.read_eigenvalue(subjects, what, declaration),
             EXPLICIT_EULER => Some(()),
+            FIRST_ORDER_CHANGE => self.read_change(subjects, what, declaration),
+            JACOBIAN => self.read_jacobian(subjects, what, declaration),
             STEP_SIZE => self.read_step_size(subjects, declaration),
             REMAINDER => self.read_remainder(subjects, what, declaration),
             "product" => self.read_product(subjects, what, declaration),

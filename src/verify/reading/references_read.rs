@@ -1,17 +1,18 @@
 //! Reference values and small disturbances: P = P₀ + p.
 
-use crate::algebra::{Fraction, Polynomial, Variable, compose};
+use crate::algebra::{Fraction, Variable, compose};
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::heads::{DISTURBANCE, REFERENCE};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::atoms::{Atoms, Law, Motion, Nature};
+use crate::verify::model::atoms::Law;
+use crate::verify::reading::Premise;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::node_of;
-use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::reading::reference_motion::{is_undisturbed, undisturbed};
+use crate::verify::term::letters::{Meaning, Reach, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
-use num_traits::Zero;
 
 impl Builder<'_> {
     /// "`P_0` is the reference value of `P`, and `p` its small disturbance": both are letters of their own.
@@ -54,9 +55,6 @@ impl Builder<'_> {
             let Statement::Is { what, .. } = &declaration.statement else {
                 continue;
             };
-            if what.head == REFERENCE && self.hold_lone_reference(what, declaration).is_none() {
-                self.say_unused(declaration);
-            }
             if what.head == DISTURBANCE
                 && let Some(of) = self.of_letter(what)
                 && self.made_up(&of, declaration).is_none()
@@ -64,6 +62,34 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
+        for declaration in self.declarations {
+            if let Statement::Is { what, .. } = &declaration.statement
+                && what.head == REFERENCE
+                && self.hold_lone_reference(what, declaration).is_none()
+            {
+                self.say_unused(declaration);
+            }
+        }
+        self.change_by_disturbances();
+    }
+
+    /// What the premises of the whole document say so far.
+    pub(super) fn facts_so_far(&mut self) -> Facts {
+        let everywhere = |premise: &&Premise| premise.reach == Reach::All;
+        let premises = self.reading.premises.iter().filter(everywhere);
+        let premises = premises.map(|p| (p.equation.clone(), p.source.clone()));
+        let premises = premises.collect();
+        let mut facts = Facts::default();
+        facts.extend_all(&mut self.reading.system.atoms, premises);
+        facts
+    }
+
+    /// Whether all that moves in a value are reference values.
+    pub(super) fn is_calm(&mut self, value: &Fraction) -> bool {
+        let references = self.variables_said(REFERENCE, |_, _| true);
+        let atoms = &self.reading.system.atoms;
+        let mut variables = value.variables().into_iter();
+        variables.all(|v| is_undisturbed(atoms, v, &references))
     }
 
     /// A reference value without a letter for the disturbance is what the whole is where nothing is disturbed.
@@ -76,14 +102,24 @@ impl Builder<'_> {
         let whole = self.mentioned_value(&of, declaration)?;
         let reference = self.mentioned_value(&reference, declaration)?;
         let small = self.disturbances();
+        let mut facts = self.facts_so_far();
         for (whole, reference) in whole.entries.iter().zip(&reference.entries) {
             let atoms = &mut self.reading.system.atoms;
-            let value = Facts::default().normal(atoms, whole).ok()?;
+            let mut value = Facts::default().normal(atoms, whole).ok()?;
             // What has a variable of its own obeys equations, and so does its reference value.
             if value.as_variable().is_some() {
                 continue;
             }
-            let calm = undisturbed(atoms, &value, &small)?;
+            let mut calm = undisturbed(atoms, &value, &small)?;
+            if !self.is_calm(&calm) {
+                let atoms = &mut self.reading.system.atoms;
+                value = facts.normal(atoms, &value).ok()?;
+                calm = undisturbed(atoms, &value, &small)?;
+            }
+            // What moves beside the reference values is disturbed as well.
+            if !self.is_calm(&calm) {
+                return None;
+            }
             self.hold(reference.clone() - calm, declaration);
         }
         Some(())
@@ -126,7 +162,7 @@ impl Builder<'_> {
     }
 
     /// The letter that a sentence says to be the reference value, or the disturbance, of another.
-    fn letter_said(&self, noun: &str, of: &Formula) -> Option<Formula> {
+    pub(super) fn letter_said(&self, noun: &str, of: &Formula) -> Option<Formula> {
         self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == noun => {
                 let said = self.of_letter(what)?;
@@ -148,7 +184,7 @@ impl Builder<'_> {
 
     /// The letter of which something is the reference value or the disturbance; a disturbance of a reference value is one of
     /// the letter itself.
-    fn of_letter(&self, what: &NounPhrase) -> Option<Formula> {
+    pub(super) fn of_letter(&self, what: &NounPhrase) -> Option<Formula> {
         let Some(Term::Formula(of)) = what.slot(Slot::Of) else {
             return None;
         };
@@ -234,56 +270,8 @@ impl Builder<'_> {
         law.is_some_and(|law| law.value == *sum)
     }
 
-    /// What is said to obey the equations of motion.
-    pub(super) fn read_obeyed(&mut self) {
-        for declaration in self.declarations {
-            let Statement::Does {
-                subjects,
-                verb: "obey",
-                ..
-            } = &declaration.statement
-            else {
-                continue;
-            };
-            let references = |t: &Term| matches!(t, Term::Phrase(p) if p.head == REFERENCE);
-            let obeyed = subjects.iter().all(references);
-            if !obeyed || self.reference_motion(declaration).is_none() {
-                self.say_unused(declaration);
-            }
-        }
-    }
-
-    /// "The reference values obey the equations of motion": what is declared holds without the disturbances as well.
-    fn reference_motion(&mut self, declaration: &Declaration) -> Option<()> {
-        let small = self.disturbances();
-        if small.is_empty() {
-            return None;
-        }
-        let references = self.variables_said(REFERENCE, |_, _| true);
-        let mut whole = true;
-        for premise in self.reading.premises.clone() {
-            let atoms = &mut self.reading.system.atoms;
-            let value = Facts::default().normal(atoms, &premise.equation).ok()?;
-            let above = Fraction::from(value.numerator().clone());
-            let calm = undisturbed(atoms, &above, &small)?;
-            // What moves and has no reference value of its own is disturbed as well.
-            let mut variables = calm.variables().into_iter();
-            if !variables.all(|v| is_undisturbed(atoms, v, &references)) {
-                whole = false;
-                continue;
-            }
-            let mut other = premise.clone();
-            other.equation = calm;
-            other.source = Self::source_of(declaration);
-            if !other.equation.is_zero() {
-                self.reading.premises.push(other);
-            }
-        }
-        whole.then_some(())
-    }
-
     /// The variables that sentences say to be small disturbances.
-    fn disturbances(&mut self) -> Vec<Variable> {
+    pub(super) fn disturbances(&mut self) -> Vec<Variable> {
         // What has no reference value of its own is small by the others.
         self.variables_said(DISTURBANCE, |builder, what| {
             let of = builder.of_letter(what);
@@ -292,7 +280,7 @@ impl Builder<'_> {
     }
 
     /// The variables of the letters that sentences say to be something, where it fits.
-    fn variables_said(
+    pub(super) fn variables_said(
         &mut self,
         noun: &str,
         fits: impl Fn(&Self, &NounPhrase) -> bool,
@@ -313,42 +301,4 @@ impl Builder<'_> {
         }
         variables
     }
-}
-
-/// Whether a variable stays as it is where nothing is disturbed: it does not change, or is made of reference values.
-fn is_undisturbed(atoms: &Atoms, variable: Variable, references: &[Variable]) -> bool {
-    let atom = atoms.atom(variable);
-    if matches!(atom.motion, Motion::Constant) || references.contains(&variable) {
-        return true;
-    }
-    match (&atom.nature, atom.rate_of) {
-        (_, Some(of)) => is_undisturbed(atoms, of, references),
-        (Nature::Sine(of) | Nature::Cosine(of) | Nature::Root(of), None) => {
-            let mut variables = of.variables().into_iter();
-            variables.all(|v| v != variable && is_undisturbed(atoms, v, references))
-        }
-        _ => false,
-    }
-}
-
-/// A value where all disturbances and their rates are zero; none where it has no value there.
-fn undisturbed(atoms: &Atoms, value: &Fraction, small: &[Variable]) -> Option<Fraction> {
-    let is_small = |variable: Variable| {
-        let mut at = Some(variable);
-        while let Some(variable) = at {
-            if small.contains(&variable) {
-                return true;
-            }
-            at = atoms.atom(variable).rate_of;
-        }
-        false
-    };
-    let calm = |polynomial: &Polynomial| {
-        let small = polynomial.variables().into_iter().filter(|v| is_small(*v));
-        small.fold(polynomial.clone(), |calm, variable| {
-            calm.substitute(variable, &Polynomial::zero())
-        })
-    };
-    let below = calm(value.denominator());
-    (!below.is_zero()).then(|| Fraction::from(calm(value.numerator())) / Fraction::from(below))
 }

@@ -34,6 +34,10 @@ impl Judge<'_> {
             held.doubt = Some(messages::ONE_ELEMENT.into());
             return;
         }
+        if self.may_hold_nearby(residuals) {
+            held.doubt = Some(messages::OTHER_MOTIONS.into());
+            return;
+        }
         match self.facts.missing().map(Source::text) {
             None => self.deny_by_world(held, residuals),
             Some(_) if self.deny_in_all_cases(held) => {}

@@ -243,6 +243,7 @@ impl<'a> Judge<'a> {
         self.take_premises();
         self.enter_space();
         self.keep_from_instants();
+        self.take_jacobians();
         let purpose = self.purpose_of(line, &links, display);
         let held = self.hold_line(line, &links);
         if named && held.iter().any(|h| h.standing != Standing::Entailed) {
@@ -322,6 +323,7 @@ impl<'a> Judge<'a> {
             self.take_premises_but(Some(&own));
             self.enter_space();
             self.keep_from_instants();
+            self.take_jacobians();
             let held = self.hold_line(line, links);
             // What would only be a definition may be one by a later line.
             let told = |h: &Held| match h.standing {
@@ -380,7 +382,7 @@ impl<'a> Judge<'a> {
             return;
         };
         let mut verdict = worst;
-        if self.waits_for_sentence(line, purpose, &held) {
+        if self.waits_for_sentence(line, purpose, &held) || self.waits_for_jacobian(&held) {
             verdict = Answer::Undecided;
         } else if worst == Answer::Accepted {
             for held in &held {

@@ -114,6 +114,9 @@ impl Judge<'_> {
                 reach,
             });
         }
+        if held.standing == Standing::Settles {
+            self.vary_definition(held, source);
+        }
         Answer::Accepted
     }
 

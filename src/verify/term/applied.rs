@@ -32,6 +32,9 @@ impl Lowering<'_> {
             }
             return self.applied(operator, value);
         }
+        if let Some(change) = self.change_of_brackets(head, arguments) {
+            return change;
+        }
         if let Some(sum) = sum_of_calls(head, arguments) {
             return self.value(&sum);
         }
@@ -42,6 +45,9 @@ impl Lowering<'_> {
         }
         if self.is_density_at(head, arguments) {
             return self.value(head);
+        }
+        if let Some(value) = self.function_at_same(head, arguments)? {
+            return Ok(value);
         }
         if let Some(value) = self.function_of_letters(head, arguments)? {
             return Ok(value);
@@ -142,15 +148,22 @@ impl Lowering<'_> {
         turned.map(|(matrix, _)| matrix)
     }
 
-    /// `R(a)^T`, `W(v)^2`: what the operator gives is raised, and not what it acts on.
+    /// `R(a)^T`, `W(v)^2`: what the operator or the function gives is raised, and not what it acts on.
     pub(super) fn raised_call(&self, run: &[&Node]) -> Option<Node> {
         let [letter, raised, ..] = run else {
             return None;
         };
+        if !matches!(raised.kind, Kind::Transpose(_) | Kind::Power(..)) {
+            return None;
+        }
         let known = self
             .letters
-            .find(&spelled(letter), &loosely(letter), self.at, 0)?;
-        if !matches!(known.meaning, Meaning::Operator(_)) {
+            .find(&spelled(letter), &loosely(letter), self.at, 0);
+        let applied = match known {
+            Some(known) => matches!(known.meaning, Meaning::Operator(_)),
+            None => self.is_function(letter),
+        };
+        if !applied {
             return None;
         }
         let call = |argument: &Node| match &argument.kind {

@@ -121,6 +121,8 @@ pub(crate) enum Meaning {
     Same(Box<Node>),
     /// A function of what stands behind it.
     Operator(Operator),
+    /// The first-order change of another writing, where it is worked out.
+    Change(Option<Box<Node>>),
     /// The time.
     Time,
 }

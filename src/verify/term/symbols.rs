@@ -70,6 +70,7 @@ impl Lowering<'_> {
                 Ok(self.without_label(value?, symbol))
             }
             Meaning::Same(node) => self.deeper(|lowering| lowering.value(node)),
+            Meaning::Change(of) => self.change_of_writing(of.as_deref()),
             Meaning::Time => Ok(Value::scalar(self.system.atoms.time())),
             Meaning::Operator(_) => Err(Trouble::Beyond(format!(
                 "`{}` stands without what it acts on",
