@@ -95,8 +95,7 @@ pub(crate) fn build(
     builder.make_up_of_references();
     builder.read_bounds(bounds);
     builder.read_premises();
-    builder.hold_working_loads();
-    builder.hold_small_oscillations();
+    builder.hold_equations_of_motion();
     builder.read_obeyed();
     builder.vary_laws();
     builder.hold_at_blow();

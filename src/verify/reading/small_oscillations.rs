@@ -28,8 +28,14 @@ pub(super) fn small_oscillation(what: &NounPhrase) -> Option<&Formula> {
 }
 
 impl Builder<'_> {
+    /// The equations of motion that lists of working loads tell, and what they come to for small oscillations.
+    pub(super) fn hold_equations_of_motion(&mut self) {
+        self.hold_working_loads();
+        self.hold_small_oscillations();
+    }
+
     /// "`$T$` is the period of the small oscillations of `$x$`": ẍ = −(2π/T)² x to first order, by the equations of motion.
-    pub(super) fn hold_small_oscillations(&mut self) {
+    fn hold_small_oscillations(&mut self) {
         for declaration in self.declarations {
             if let Statement::Is { subjects, what } = &declaration.statement
                 && [PERIOD, FREQUENCY, ANGULAR_FREQUENCY].contains(&what.head)

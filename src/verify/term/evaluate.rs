@@ -10,6 +10,9 @@ use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value, Valued, beyond};
 use num_traits::{One, Zero};
 
+/// What the answer is of quantities for which there is no law yet.
+pub(super) const NOT_WORKED_OUT: &str = "a quantity that is not worked out";
+
 impl System {
     /// The value of a quantity that is made of another one.
     pub(super) fn composed(&mut self, quantity: &Quantity) -> Valued {
@@ -91,7 +94,7 @@ impl System {
                 let across = mechanics::cross(&axis, &way);
                 self.root(&across.dot(&across))?
             }
-            _ => return beyond("a quantity that is not worked out"),
+            _ => return beyond(NOT_WORKED_OUT),
         })
     }
 

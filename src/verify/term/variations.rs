@@ -2,12 +2,10 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::{Macros, document::Row, read_formula};
+use crate::verify::term::evaluate::NOT_WORKED_OUT;
 use crate::verify::term::letters::{Letter, Meaning, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
-
-/// Why a change is not worked out.
-const NOT_VARIED: &str = "a first-order change that is not worked out";
 
 impl Lowering<'_> {
     /// The change of a value, entry by entry: that of a vector itself would hang on the frame from which it is seen.
@@ -19,20 +17,20 @@ impl Lowering<'_> {
             Basis::Any | Basis::Written => true,
         };
         if !value.is_scalar() && !value.is_zero() && !value.basis.iter().all(on_work) {
-            return beyond(NOT_VARIED);
+            return beyond(NOT_WORKED_OUT);
         }
         let atoms = &mut self.system.atoms;
         let changes: Option<Vec<_>> = value.entries.iter().map(|e| atoms.change(e)).collect();
         match changes {
             Some(entries) => Ok(value.with_entries(entries)),
-            None => beyond(NOT_VARIED),
+            None => beyond(NOT_WORKED_OUT),
         }
     }
 
     /// The change of what a letter or another writing stands for.
     pub(super) fn change_of_writing(&mut self, of: Option<&Node>) -> Valued {
         let Some(node) = of else {
-            return beyond(NOT_VARIED);
+            return beyond(NOT_WORKED_OUT);
         };
         self.deeper(|lowering| {
             let value = lowering.value(node)?;
@@ -64,7 +62,7 @@ impl Lowering<'_> {
             return None;
         }
         if !worked_out? {
-            return Some(beyond(NOT_VARIED));
+            return Some(beyond(NOT_WORKED_OUT));
         }
         Some(self.value(argument).and_then(|value| self.change(&value)))
     }
