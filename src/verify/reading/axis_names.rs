@@ -28,18 +28,26 @@ impl Builder<'_> {
         let mut found = vec![];
         for child in node.children() {
             let letter = match &child.kind {
-                Kind::Symbol(symbol) if symbol.style == Style::default() => Formula {
-                    source: symbol.name.clone(),
-                    row: Row::Expression(child.clone()),
-                },
+                Kind::Symbol(symbol) if symbol.style == Style::default() => {
+                    match symbol.subscripts.is_empty() {
+                        true => Formula {
+                            source: symbol.name.clone(),
+                            row: Row::Expression(child.clone()),
+                        },
+                        false => Formula::of(child),
+                    }
+                }
                 _ => {
                     found.extend(self.plain_names_of_axes(child, declaration));
                     continue;
                 }
             };
-            let axis = self.axes.get(&letter.source).copied();
-            let plain = spelled(child) == letter.source;
-            if let Some(axis) = axis.filter(|_| plain)
+            // "a1", as words write `a_1`
+            let axis = match spelled(child) {
+                plain if plain == letter.source => self.axes.get(&plain),
+                labelled => self.axes.get(&labelled.replace('_', "")),
+            };
+            if let Some(&axis) = axis
                 && self.quantity_of(&letter, declaration).is_none()
             {
                 found.push((letter, axis));

@@ -1,6 +1,6 @@
 //! Components of vectors: by their letters, by an index, along an axis, or as an array.
 
-use crate::notation::ast::Kind;
+use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -11,6 +11,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of};
 use crate::verify::reading::no_loads_read::is_exception;
+use crate::verify::reading::steps_read::written;
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -102,6 +103,11 @@ impl Builder<'_> {
         }
         if along.len() > 1 && subjects.len() == 1 {
             return self.say_unused(declaration);
+        }
+        if let (None, [Term::Formula(formula)]) = (single, subjects)
+            && let Some(index) = self.index_of_axes(formula)
+        {
+            return self.read_indexed_component(subjects, &index, &of, frame, declaration);
         }
         if let (None, [Term::Formula(formula)]) = (single, subjects)
             && node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
@@ -205,6 +211,39 @@ impl Builder<'_> {
             axis: axis.boxed(),
         };
         self.tell(formula, along, declaration);
+    }
+
+    /// "`$\omega_i$` are the components of `$\omega$` on B": with a label that is the name of no frame.
+    pub(super) fn is_indexed_vector(
+        &self,
+        formula: &Formula,
+        subjects: &[Term],
+        what: &NounPhrase,
+    ) -> bool {
+        let symbol = |node: Option<&Node>| match node.map(|node| &node.kind) {
+            Some(Kind::Symbol(symbol)) => Some((symbol.name.clone(), symbol.subscripts.clone())),
+            _ => None,
+        };
+        let (Some((own, labels)), Some(Term::Formula(of))) =
+            (symbol(node_of(formula)), what.slot(Slot::Of))
+        else {
+            return false;
+        };
+        let of_itself = symbol(node_of(of)) == Some((own, vec![]));
+        let names_frame = |name: &String| labels.contains(&name.to_lowercase());
+        of_itself && subjects.len() == 1 && !self.frames.keys().any(names_frame)
+    }
+
+    /// The index of "`$\omega_i$` are the components of `$\omega$`", where it numbers axes and names no frame.
+    fn index_of_axes(&self, formula: &Formula) -> Option<Formula> {
+        let Kind::Symbol(symbol) = &node_of(formula)?.kind else {
+            return None;
+        };
+        let index = symbol.subscripts.last()?;
+        let mut rules = self.reading.letters.indices.iter();
+        let numbers_axes = rules.any(|rule| rule.letter == *index && rule.axes_of.is_some());
+        let named = self.frames.keys().any(|name| name.to_lowercase() == *index);
+        written(index).filter(|_| numbers_axes && !named)
     }
 
     /// "`$L_i$` is the component `$i$` of `$\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.

@@ -73,7 +73,9 @@ impl Builder<'_> {
                 let letters = last_label(formula);
                 let fits = letters.len() == count
                     && letters.iter().all(|letter| ('i'..='n').contains(letter))
-                    && (count == 2 || which == Some(String::from_iter(&letters)));
+                    && (count == 2
+                        || which == Some(String::from_iter(&letters))
+                        || which.is_none() && self.is_indexed_vector(formula, subjects, what));
                 for letter in letters.into_iter().filter(|_| fits) {
                     if self.is_told_nothing(&letter.to_string()) {
                         self.reading.letters.indices.push(IndexRule {

@@ -265,3 +265,45 @@ $$ S = m R (\psi''\sin\theta + \psi'\theta'\cos\theta) $$
 ";
     assert_eq!(judged(sentences, text), "rpr");
 }
+
+#[test]
+fn an_index_of_components_numbers_axes() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of B.
+G is the mass centre of the body.
+$I$ is the inertia tensor of the body about G on B.
+$I_{ij}$ is entry $(i, j)$ of $I$ on B.
+$\omega$ is the angular velocity of B relative to N in components on B.
+$\omega_i$ are the components of $\omega$ on B.
+$T$ is the kinetic energy of rotation of the body.
+A repeated index is summed.
+No force and no moment acts on the body.
+";
+    let text = r"
+$$ 2T = I_{ij}\omega_i\omega_j $$
+$$ T = I_{ij}\omega_i\omega_j $$
+$$ \frac{dT}{dt} = 0 $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}
+
+#[test]
+fn an_axis_with_a_number_is_one_letter_in_a_formula() {
+    let sentences = r"
+N is an inertial frame.
+x, y, z are the axes of N.
+A turns relative to N about z by the angle $q$.
+a1, a2, z are the axes of A.
+O is a point fixed in N and in A.
+P is placed from O by $-l a_2$.
+$v$ is the velocity of P relative to N.
+$w$ is the component of $v$ along a1.
+";
+    let text = r"
+$$ w = l\dot q $$
+$$ w = -l\dot q $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
