@@ -281,7 +281,6 @@ N is an inertial frame.
 B is a frame fixed in the box.
 $e_1, e_2, e_3$ are the axes of B.
 G is the mass centre of the box.
-G is placed from Q by $a e_1$.
 $\\eta$ is the scalar part of $q$.
 $q$ takes components on B to components on D, scalar first.
 ";
@@ -289,7 +288,6 @@ $q$ takes components on B to components on D, scalar first.
     let output = polhode(folder.path(), &["check", "a.md", "--declare", "a.declare"]);
     let shown = text(&output.stderr);
     for said in [
-        "no sentence says what `Q` is",
         "no sentence says what `D` is",
         "it waits for another sentence of which nothing was made: \"$q$ takes components",
     ] {

@@ -105,15 +105,9 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         }
         if let (None, [Term::Formula(formula)]) = (single, subjects)
-            && let Some(index) = self.index_of_axes(formula)
-        {
-            return self.read_indexed_component(subjects, &index, &of, frame, declaration);
-        }
-        if let (None, [Term::Formula(formula)]) = (single, subjects)
             && node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
         {
-            let array = Quantity::On(of.boxed(), frame);
-            return self.denote(formula, Meaning::Quantity(array), declaration);
+            return self.read_array(formula, of, frame, declaration);
         }
         let component = |place: usize| Quantity::Component {
             of: of.clone().boxed(),
@@ -126,6 +120,26 @@ impl Builder<'_> {
             _ => None,
         });
         self.tell_each(all.collect(), declaration);
+    }
+
+    /// "`$u$` are the components of `$v$` on B": the array of them, or one for each value of an index.
+    fn read_array(
+        &mut self,
+        formula: &Formula,
+        of: Quantity,
+        frame: FrameId,
+        declaration: &Declaration,
+    ) {
+        match self.index_of_axes(formula) {
+            Some(index) => {
+                let subject = Term::Formula(formula.clone());
+                self.read_indexed_component(&[subject], &index, &of, frame, declaration);
+            }
+            None => {
+                let array = Quantity::On(of.boxed(), frame);
+                self.denote(formula, Meaning::Quantity(array), declaration);
+            }
+        }
     }
 
     /// Letters first, each once; what is made of them, and a letter that stands again, holds by what they are.
