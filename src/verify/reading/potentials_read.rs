@@ -49,11 +49,17 @@ impl<'a> Builder<'a> {
         kinetic: Quantity,
         sign: i64,
     ) -> Option<Quantity> {
-        let potential = self.potential_energy(body);
+        let spoken = self.speaks_of_potential(body);
+        // A Lagrangian is told but for a constant.
+        let parts = match sign < 0 && !spoken {
+            true => self.parts_at_known_heights(body),
+            false => vec![body],
+        };
+        let potential = self.potential_of(body, &parts);
         let unknown = potential.is_none() && self.gravity.is_some();
         let works = |d: &Declaration| self.may_do_work(d);
         // Where a sentence speaks of the potential energy of the body, no other load has one.
-        let told = potential.is_some() && self.speaks_of_potential(body);
+        let told = potential.is_some() && spoken;
         if unknown || !told && self.declarations.iter().any(works) {
             return None;
         }
@@ -116,6 +122,11 @@ impl<'a> Builder<'a> {
 
     /// −m g · r, from the origin or from where it is said to be zero.
     pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
+        self.potential_of(body, &[body])
+    }
+
+    /// The same of parts of a body, which are all that changes it.
+    fn potential_of(&mut self, body: usize, parts: &[usize]) -> Option<Quantity> {
         let gravity = self.gravity.clone()?;
         let mut declarations = self.declarations.iter();
         if declarations.any(|d| d.may_speak_of(&OF_POTENTIALS)) {
@@ -127,35 +138,44 @@ impl<'a> Builder<'a> {
             [(place, _)] if !place.is_condition() => self.point(level_of(place))?,
             _ => 0,
         };
-        let mut energy = self.weight_energy(body, &value, from);
+        let energies = parts
+            .iter()
+            .map(|&part| self.energy_above(part, &value, from));
+        let mut energy = energies.fold(Fraction::zero(), |sum, energy| sum + energy);
         if zeros.iter().any(|(place, _)| place.is_condition()) {
             energy = energy.clone() - self.under(&energy, &zeros)?;
         }
         Some(Quantity::Known(Value::scalar(energy)))
     }
 
-    /// −m g · r from a point. Parts that stay at a height of which nothing is told add nothing.
-    fn weight_energy(&mut self, body: usize, gravity: &Vector, from: PointId) -> Fraction {
+    /// The parts of a body but for those that stay at a height of which nothing is told; the body itself where there are none.
+    fn parts_at_known_heights(&mut self, body: usize) -> Vec<usize> {
         let parts = self.reading.system.wholes(body);
-        let (count, mut energies) = (parts.len(), vec![]);
-        for part in parts {
-            let energy = self.part_energy(part, gravity, from);
-            let rate = self.system().atoms.derivative(&energy);
-            let steady = self.system().expanded(&rate, &[]).is_zero();
-            let atoms = &self.reading.system.atoms;
-            if !(steady && energy.variables().iter().any(|v| atoms.is_unplaced(*v))) {
-                energies.push(energy);
-            }
-        }
-        match energies.len() == count {
-            true => self.part_energy(body, gravity, from),
-            false => energies
-                .into_iter()
-                .fold(Fraction::zero(), |sum, e| sum + e),
+        let Some(gravity) = self.gravity.clone().filter(|_| parts.len() > 1) else {
+            return vec![body];
+        };
+        let gravity = self.system().value_of(&gravity).ok();
+        let Some(gravity) = gravity.and_then(|gravity| gravity.to_vector().ok()) else {
+            return vec![body];
+        };
+        let count = parts.len();
+        let known: Vec<usize> = parts
+            .into_iter()
+            .filter(|&part| {
+                let energy = self.energy_above(part, &gravity, 0);
+                let rate = self.system().atoms.derivative(&energy);
+                let moves = !self.system().expanded(&rate, &[]).is_zero();
+                let atoms = &self.reading.system.atoms;
+                moves || !energy.variables().iter().any(|v| atoms.is_unplaced(*v))
+            })
+            .collect();
+        match known.len() == count {
+            true => vec![body],
+            false => known,
         }
     }
 
-    fn part_energy(&mut self, body: usize, gravity: &Vector, from: PointId) -> Fraction {
+    fn energy_above(&mut self, body: usize, gravity: &Vector, from: PointId) -> Fraction {
         let mass = self.reading.system.mass(body);
         let centre = self.centre_of(body);
         let way = self.reading.system.position(centre, from);

@@ -164,3 +164,20 @@ $$ (I+m h^2)\ddot\beta+m h\ddot x\cos\beta+m g h\sin\beta=-K $$
 ";
     assert_eq!(judged(sentences, text), "pppr");
 }
+
+#[test]
+fn a_height_of_which_nothing_is_told_is_not_zero() {
+    let sentences = r"
+N is an inertial frame.
+k is the upward vertical.
+O is a point fixed in N.
+A is a frame fixed in the arm.
+The arm is a rigid body of mass $m$.
+e, f, k are the axes of A.
+A turns relative to N about the axis through O along k by the angle $\theta$.
+$g$ is the acceleration of gravity.
+$V$ is the potential energy of the arm.
+The potential energy is zero at O.
+";
+    assert!(!judged(sentences, r"$$ V=0 $$").contains('p'));
+}
