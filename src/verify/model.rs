@@ -13,6 +13,7 @@ pub(crate) mod loads;
 pub(crate) mod partial;
 pub(crate) mod points;
 pub(crate) mod powers;
+pub(crate) mod rates;
 pub(crate) mod sums;
 pub(crate) mod system;
 pub(crate) mod unplaced;

@@ -1,6 +1,7 @@
 //! "d points along k when `$\alpha$` is zero", of a vector that is fixed in what turns by `$\alpha$`: it is an axis of that, as
 //! a frame and the one against which it turns have the same axes where the angle is zero.
 
+use super::inclinations::is_zero_of;
 use super::planar_axes::axis;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 
@@ -55,10 +56,9 @@ fn turns_by<'d>(statement: &'d Statement, frame: &Term, zero: &Formula) -> Optio
     let Some(Term::Formula(letter)) = angle.slot(Slot::Which) else {
         return None;
     };
-    let condition = zero.source.replace(' ', "");
     let letter = letter.source.replace(' ', "");
     let letter = letter.strip_prefix('-').unwrap_or(&letter);
-    let same = condition.strip_suffix("=0") == Some(letter) && angle.head == "angle";
+    let same = is_zero_of(zero, letter) && angle.head == "angle";
     slot(slots, Slot::RelativeTo).filter(|_| same)
 }
 

@@ -12,7 +12,7 @@ use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
 use super::gyration::tell_gyration;
-use super::hinges::{begin_rods, name_ends, tell_hinges};
+use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
@@ -30,7 +30,7 @@ use super::on_rings::place_on_rings;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::placed_centres::name_placed_centres;
 use super::placed_points::name_placed_points;
-use super::places::{tell_places, tell_reach};
+use super::places::{begin_rods, tell_places, tell_reach};
 use super::plain_letters::write_letters;
 use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,

@@ -1,11 +1,8 @@
 //! Hinges: the point of a hinge is fixed in each of the bodies that it joins, and an end by which a body is hinged is there.
 
-use super::heads::{ACCELERATION, FORCE, MASS_CENTRE, VELOCITY};
+use super::heads::{ACCELERATION, FORCE, VELOCITY};
 use super::kinds::{name, rename};
-use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
-use super::terms::say_besides;
-use crate::notation::Macros;
 
 /// Verbs of bodies that are joined at a point.
 const JOINS: [&str; 3] = ["hinge", "pin", "pivot"];
@@ -39,51 +36,6 @@ pub(crate) fn name_ends(declarations: &mut Vec<Declaration>) {
             declarations.push(end);
         }
     }
-}
-
-/// "a uniform thin rod of length `$l$` from A along z": its mass centre is half of that from A. "a thin rod from A to B": these
-/// are its ends.
-pub(crate) fn begin_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    say_besides(declarations, |statement| {
-        let Statement::Is { subjects, what } = statement else {
-            return vec![];
-        };
-        let ([rod], "rod", Some(from)) = (
-            subjects.as_slice(),
-            what.head,
-            what.slot(Slot::From).cloned(),
-        ) else {
-            return vec![];
-        };
-        let of_rod = |head: &'static str| NounPhrase::new(head, vec![(Slot::Of, rod.clone())]);
-        let along = what.slot(Slot::Along).cloned();
-        let told = match (along, what.slot(Slot::To).cloned(), what.size("length")) {
-            (None, Some(to), _) => {
-                let end = |point: Term| Statement::one_is(point, of_rod(END));
-                vec![end(from), end(to)]
-            }
-            (Some(along), None, Some(Term::Formula(length))) => {
-                let half = format!("\\frac{{{}}}{{2}}", length.source);
-                let Some(half) = formula(&half, false, macros) else {
-                    return vec![];
-                };
-                let slots = vec![
-                    (Slot::At, Term::Formula(half)),
-                    (Slot::From, from),
-                    (Slot::Along, along),
-                ];
-                vec![Statement::Does {
-                    subjects: vec![Term::Phrase(Box::new(of_rod(MASS_CENTRE)))],
-                    verb: "lie",
-                    slots,
-                }]
-            }
-            _ => return vec![],
-        };
-        what.slots
-            .retain(|(slot, _)| !matches!(slot, Slot::From | Slot::To));
-        told
-    });
 }
 
 /// Puts the name of an end in its place, and tells what that is.

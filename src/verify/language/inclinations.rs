@@ -223,7 +223,6 @@ fn hangs_at_zero(
     letter: &Formula,
     declarations: &[Declaration],
 ) -> Option<(bool, Option<usize>)> {
-    let zero = format!("{}=0", letter.source);
     let mut told = declarations.iter().enumerate();
     told.find_map(|(number, d)| match &d.statement {
         Statement::Does {
@@ -231,8 +230,9 @@ fn hangs_at_zero(
             verb: "hang" | "point",
             slots,
         } if subjects.contains(mover) => {
-            let at = |slot: &(Slot, Term)| {
-                matches!(slot, (Slot::At, Term::Formula(f)) if f.source.replace(' ', "") == zero)
+            let at = |(slot, term): &(Slot, Term)| {
+                *slot == Slot::At
+                    && matches!(term, Term::Formula(zero) if is_zero_of(zero, &letter.source))
             };
             let along = slots.iter().find(|(slot, _)| *slot == Slot::Along);
             let downward = along.map_or(Some(true), |(_, along)| points_down(along));
@@ -241,4 +241,10 @@ fn hangs_at_zero(
         }
         _ => None,
     })
+}
+
+/// Whether a condition says that a letter is zero.
+pub(super) fn is_zero_of(condition: &Formula, letter: &str) -> bool {
+    let written = condition.source.replace(' ', "");
+    written.strip_suffix("=0") == Some(letter)
 }

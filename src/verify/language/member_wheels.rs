@@ -38,11 +38,7 @@ pub(crate) fn turn_members(declarations: &mut Vec<Declaration>) {
         .flat_map(|(subjects, _)| subjects.to_vec())
         .collect();
     for declaration in declarations.iter_mut() {
-        if let Some(turn) = turn_by_rate(&declaration.statement, &symmetric)
-            && !turn
-                .does("turn")
-                .is_some_and(|(own, _)| turning.contains(&own[0]))
-        {
+        if let Some(turn) = turn_by_rate(&declaration.statement, &symmetric, &turning) {
             declaration.statement = turn;
         }
     }
@@ -62,7 +58,12 @@ fn frames_of_member(statement: &Statement) -> Vec<(Term, Term)> {
     }
 }
 
-fn turn_by_rate(statement: &Statement, symmetric: &[(Term, Term)]) -> Option<Statement> {
+/// How one of many turns about its axis of symmetry, where no sentence says it otherwise.
+fn turn_by_rate(
+    statement: &Statement,
+    symmetric: &[(Term, Term)],
+    turning: &[Term],
+) -> Option<Statement> {
     let Statement::Is { subjects, what } = statement else {
         return None;
     };
@@ -76,7 +77,7 @@ fn turn_by_rate(statement: &Statement, symmetric: &[(Term, Term)]) -> Option<Sta
     };
     let (relative, axis) = (what.slot(Slot::RelativeTo)?, what.slot(Slot::Along)?);
     let own = symmetric.contains(&(member.clone(), axis.clone()));
-    own.then(|| Statement::Does {
+    (own && !turning.contains(member)).then(|| Statement::Does {
         subjects: vec![member.clone()],
         verb: "turn",
         slots: vec![

@@ -1,8 +1,11 @@
 //! Places of a body that the sentence about its shape tells: its middle, its ends.
 
+use super::heads::MASS_CENTRE;
 use super::kinds::name;
+use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
+use crate::notation::Macros;
 
 /// Places that a thing has.
 const PLACES: [&str; 5] = ["middle", "centre", "mass centre", "end", "origin"];
@@ -90,10 +93,56 @@ pub(crate) fn tell_reach(declarations: &mut [Declaration]) {
         if let Some(([body], [(Slot::From, from), (Slot::To, to)])) =
             declaration.statement.does("extend")
         {
-            declaration.statement = Statement::Is {
-                subjects: vec![from.clone(), to.clone()],
-                what: NounPhrase::new("end", vec![(Slot::Of, body.clone())]),
-            };
+            declaration.statement = are_ends(from, to, body);
         }
+    }
+}
+
+/// "a uniform thin rod of length `$l$` from A along z": its mass centre is half of that from A. "a thin rod from A to B": these
+/// are its ends.
+pub(crate) fn begin_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
+        };
+        let ([rod], "rod", Some(from)) = (
+            subjects.as_slice(),
+            what.head,
+            what.slot(Slot::From).cloned(),
+        ) else {
+            return vec![];
+        };
+        let along = what.slot(Slot::Along).cloned();
+        let told = match (along, what.slot(Slot::To).cloned(), what.size("length")) {
+            (None, Some(to), _) => vec![are_ends(&from, &to, rod)],
+            (Some(along), None, Some(Term::Formula(length))) => {
+                let half = format!("\\frac{{{}}}{{2}}", length.source);
+                let Some(half) = formula(&half, false, macros) else {
+                    return vec![];
+                };
+                let slots = vec![
+                    (Slot::At, Term::Formula(half)),
+                    (Slot::From, from),
+                    (Slot::Along, along),
+                ];
+                let centre = NounPhrase::new(MASS_CENTRE, vec![(Slot::Of, rod.clone())]);
+                vec![Statement::Does {
+                    subjects: vec![Term::Phrase(Box::new(centre))],
+                    verb: "lie",
+                    slots,
+                }]
+            }
+            _ => return vec![],
+        };
+        what.slots
+            .retain(|(slot, _)| !matches!(slot, Slot::From | Slot::To));
+        told
+    });
+}
+
+fn are_ends(from: &Term, to: &Term, body: &Term) -> Statement {
+    Statement::Is {
+        subjects: vec![from.clone(), to.clone()],
+        what: NounPhrase::new("end", vec![(Slot::Of, body.clone())]),
     }
 }

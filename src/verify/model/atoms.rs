@@ -137,7 +137,7 @@ pub(crate) struct Atoms {
     /// Sines of which a sentence tells that they are no less than zero, or less.
     pub(super) signed: BTreeMap<Variable, bool>,
     /// Letters that sentences say to be small.
-    small: BTreeSet<Variable>,
+    pub(super) small: BTreeSet<Variable>,
     /// Coordinates of points of which no sentence tells where they lie.
     pub(super) unplaced: BTreeSet<Variable>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
@@ -357,19 +357,6 @@ impl Atoms {
     pub(crate) fn set_length(&mut self, letter: Variable) {
         self.changes.note_all();
         self.sized.insert(letter);
-    }
-
-    /// Says that a letter is small: what it stands beside is told by it, and not the other way round.
-    pub(crate) fn set_small(&mut self, letter: Variable) {
-        self.changes.note_all();
-        self.small.insert(letter);
-    }
-
-    /// Whether a variable is said to be small, or is a rate of one that is.
-    pub(crate) fn is_small(&self, variable: Variable) -> bool {
-        let rate_of = |of: &Variable| self.atom(*of).rate_of;
-        let mut chain = std::iter::successors(Some(variable), rate_of);
-        !self.small.is_empty() && chain.any(|v| self.small.contains(&v))
     }
 
     /// The angle of which a variable is the sine or cosine.

@@ -50,6 +50,14 @@ impl System {
         self.bodies.len() - 1
     }
 
+    /// Whether a point is fixed in a rigid body.
+    pub(crate) fn carries(&self, body: BodyId, point: PointId) -> bool {
+        let fixed = &self.points[point].fixed_in;
+        self.bodies[body]
+            .frame
+            .is_some_and(|frame| fixed.contains(&frame))
+    }
+
     /// The bodies without parts that a body is made of.
     pub(crate) fn wholes(&self, body: BodyId) -> Vec<BodyId> {
         let parts = &self.bodies[body].parts;

@@ -19,6 +19,8 @@ pub(crate) enum Called {
     Letter(String),
     /// By its noun, as what acts on a body.
     Noun(String, BodyId),
+    /// By its noun, as what a body does to another one, which comes last.
+    Between(&'static str, BodyId, BodyId),
     Nothing,
 }
 
@@ -38,6 +40,31 @@ pub(crate) struct Load {
 }
 
 impl Load {
+    /// A force where it acts, or a couple, that no sentence calls by a name.
+    pub(crate) fn unnamed(at: Option<PointId>, value: Vector, on: Option<BodyId>) -> Self {
+        Self {
+            called: Called::Nothing,
+            at,
+            value,
+            lasting: Lasting::Always,
+            on,
+            part: false,
+        }
+    }
+
+    /// What the body on which another one acts does to that.
+    pub(crate) fn opposite(&self) -> Option<Self> {
+        let Called::Between(head, agent, on) = self.called else {
+            return None;
+        };
+        Some(Self {
+            called: Called::Between(head, on, agent),
+            value: -self.value.clone(),
+            on: Some(agent),
+            ..self.clone()
+        })
+    }
+
     fn force(&self) -> Vector {
         match self.at {
             Some(_) => self.value.clone(),

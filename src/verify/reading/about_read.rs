@@ -18,14 +18,11 @@ impl Builder<'_> {
         };
         let Some(term) = phrase.slot(Slot::About) else {
             // "no moment along the axis through O"
-            return match phrase.slot(Slot::Along) {
-                Some(Term::Phrase(axis)) if phrase.head == MOMENT => match axis.slot(Slot::Through)
-                {
-                    Some(through) => self.point(through),
-                    None => Some(centre),
-                },
-                _ => Some(centre),
+            let through = match phrase.slot(Slot::Along) {
+                Some(Term::Phrase(axis)) if phrase.head == MOMENT => axis.slot(Slot::Through),
+                _ => None,
             };
+            return through.map_or(Some(centre), |through| self.point(through));
         };
         self.point(term).or_else(|| match term {
             Term::Phrase(point) if point.head == MASS_CENTRE => None,

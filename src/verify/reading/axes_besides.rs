@@ -1,13 +1,11 @@
 //! Letters of which nothing else is told, and that are called as axes are: they may be the unit vectors along these.
 
 use crate::notation::ast::{Kind, Node, Style, Symbol};
-use crate::notation::document::Row;
-use crate::notation::{Macros, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::verify::model::atoms::{Key, Nature, Space};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{name_of, node_of};
+use crate::verify::reading::names::{name_of, node_of, written};
 use crate::verify::term::letters::{At, Letter, Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 
@@ -107,10 +105,7 @@ impl Builder<'_> {
 /// The writings that a formula may have for the unit vector along an axis: as it is named, or with the mark of a vector.
 fn ways_to_write(subject: &Term) -> Vec<Node> {
     let node = match subject {
-        Term::Name(name) => match read_formula(name, 0, &Macros::default()).pop() {
-            Some(Row::Expression(node)) => Some(node),
-            _ => None,
-        },
+        Term::Name(name) => written(name).and_then(|name| node_of(&name).cloned()),
         Term::Formula(formula) => node_of(formula).cloned(),
         _ => None,
     };

@@ -1,8 +1,6 @@
 //! The letters of axes, and the frame that components are worked with on.
 
 use crate::notation::ast::Kind;
-use crate::notation::document::Row;
-use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -11,7 +9,7 @@ use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
-use crate::verify::reading::names::{UNIT_VECTOR, name_of, node_of, opposite};
+use crate::verify::reading::names::{UNIT_VECTOR, name_of, node_of, opposite, written};
 use crate::verify::term::letters::{Letter, Meaning};
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeMap;
@@ -215,12 +213,12 @@ impl Builder<'_> {
         if !told.is_empty() && !told.contains(&(frame, axis)) {
             return;
         }
-        let rows = read_formula(name, 0, &Macros::default()).pop();
-        if let Some(Row::Expression(node)) = rows
+        let letter = written(name);
+        if let Some(node) = letter.as_ref().and_then(node_of)
             && matches!(node.kind, Kind::Symbol(_))
         {
             let vector = Meaning::Quantity(Quantity::Axis(frame, axis));
-            let letter = self.letter(&Formula::of(&node), vector, declaration);
+            let letter = self.letter(&Formula::of(node), vector, declaration);
             let besides = letter.map(|letter| Letter {
                 besides: true,
                 ..letter

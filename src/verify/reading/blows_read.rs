@@ -119,7 +119,8 @@ impl Builder<'_> {
         rates
     }
 
-    /// What loads leave of all that acts on a body, or of its moment about a point: of a blow whose sides are told, what the momentum changes by beside what they bring.
+    /// What loads leave of all that acts on a body, or of its moment about a point: of a blow whose sides are told, what the
+    /// momentum changes by beside what they bring.
     pub(super) fn left_by_loads(
         &mut self,
         rest: Vector,

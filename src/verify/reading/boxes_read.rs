@@ -59,12 +59,7 @@ impl Builder<'_> {
         if !mass_alone || what.adjectives.iter().any(|said| !PLAIN.contains(said)) {
             return None;
         }
-        let mut sides: [Option<Fraction>; 3] = [None, None, None];
-        for (axis, side) in self.told_sides(SIDE, body, frame, declaration)? {
-            if sides[axis].replace(side).is_some() {
-                return None;
-            }
-        }
+        let mut sides = by_axis(self.told_sides(SIDE, body, frame, declaration)?)?;
         // A plate has no thickness.
         if what.head == PLATE && sides.iter().flatten().count() == 2 {
             let normal = sides.iter().position(Option::is_none)?;
@@ -115,4 +110,15 @@ impl Builder<'_> {
         }
         Some(sides)
     }
+}
+
+/// Sizes in the order of the axes, no more than one along each.
+pub(super) fn by_axis(told: Vec<(usize, Fraction)>) -> Option<[Option<Fraction>; 3]> {
+    let mut sizes: [Option<Fraction>; 3] = [None, None, None];
+    for (axis, size) in told {
+        if sizes[axis].replace(size).is_some() {
+            return None;
+        }
+    }
+    Some(sizes)
 }

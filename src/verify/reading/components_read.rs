@@ -11,7 +11,6 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of};
 use crate::verify::reading::no_loads_read::is_exception;
-use crate::verify::reading::steps_read::written;
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -91,7 +90,11 @@ impl Builder<'_> {
             .unwrap_or(self.reading.letters.component_frame);
         let which = what.slot(Slot::Which);
         if let Some(Term::Formula(index)) = which {
-            return self.read_indexed_component(subjects, index, &of, frame, declaration);
+            let index = index_letter(index);
+            let letters = formulas(subjects);
+            return letters.for_each(|letter| {
+                self.read_indexed_component(letter, &index, &of, frame, declaration);
+            });
         }
         let single = which.and_then(|term| self.number_of_axis(term));
         let along: Vec<Term> = what.all(Slot::Along).cloned().collect();
@@ -131,10 +134,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         match self.index_of_axes(formula) {
-            Some(index) => {
-                let subject = Term::Formula(formula.clone());
-                self.read_indexed_component(&[subject], &index, &of, frame, declaration);
-            }
+            Some(index) => self.read_indexed_component(formula, &index, &of, frame, declaration),
             None => {
                 let array = Quantity::On(of.boxed(), frame);
                 self.denote(formula, Meaning::Quantity(array), declaration);
@@ -244,54 +244,53 @@ impl Builder<'_> {
             return false;
         };
         let of_itself = symbol(node_of(of)) == Some((own, vec![]));
-        let names_frame = |name: &String| labels.contains(&name.to_lowercase());
-        of_itself && subjects.len() == 1 && !self.frames.keys().any(names_frame)
+        of_itself && subjects.len() == 1 && !labels.iter().any(|label| self.names_frame(label))
+    }
+
+    /// Whether a label is the name of a frame, in small letters.
+    fn names_frame(&self, label: &str) -> bool {
+        self.frames.keys().any(|name| name.to_lowercase() == label)
     }
 
     /// The index of "`$\omega_i$` are the components of `$\omega$`", where it numbers axes and names no frame.
-    fn index_of_axes(&self, formula: &Formula) -> Option<Formula> {
+    fn index_of_axes(&self, formula: &Formula) -> Option<String> {
         let Kind::Symbol(symbol) = &node_of(formula)?.kind else {
             return None;
         };
         let index = symbol.subscripts.last()?;
+        (self.numbers_axes(index) && !self.names_frame(index)).then(|| index.clone())
+    }
+
+    fn numbers_axes(&self, index: &str) -> bool {
         let mut rules = self.reading.letters.indices.iter();
-        let numbers_axes = rules.any(|rule| rule.letter == *index && rule.axes_of.is_some());
-        let named = self.frames.keys().any(|name| name.to_lowercase() == *index);
-        written(index).filter(|_| numbers_axes && !named)
+        rules.any(|rule| rule.letter == index && rule.axes_of.is_some())
     }
 
     /// "`$L_i$` is the component `$i$` of `$\mathbf L$`", where `$i$` numbers axes: `$L_1$`, `$L_2$` and `$L_3$` are.
     fn read_indexed_component(
         &mut self,
-        subjects: &[Term],
-        index: &Formula,
+        formula: &Formula,
+        index: &str,
         of: &Quantity,
         frame: FrameId,
         declaration: &Declaration,
     ) {
-        let index = index_letter(index);
-        let mut rules = self.reading.letters.indices.iter();
-        let numbers_axes = rules.any(|rule| rule.letter == index && rule.axes_of.is_some());
-        for formula in formulas(subjects).filter(|_| numbers_axes) {
-            let Some(Kind::Symbol(symbol)) = node_of(formula).map(|node| &node.kind) else {
-                continue;
+        let Some(Kind::Symbol(symbol)) = node_of(formula).map(|node| &node.kind) else {
+            return;
+        };
+        let indexed = symbol.subscripts.last().is_some_and(|last| last == index);
+        if !indexed || !self.numbers_axes(index) {
+            return;
+        }
+        for (axis, number) in LABELS[0].into_iter().enumerate() {
+            let node = symbol_node(&with_number(symbol, number));
+            let component = Quantity::Component {
+                of: of.clone().boxed(),
+                axis,
+                on: frame,
             };
-            if symbol.subscripts.last() != Some(&index) {
-                continue;
-            }
-            for (axis, number) in LABELS[0].into_iter().enumerate() {
-                let node = symbol_node(&with_number(symbol, number));
-                let component = Quantity::Component {
-                    of: of.clone().boxed(),
-                    axis,
-                    on: frame,
-                };
-                self.denote(
-                    &Formula::of(&node),
-                    Meaning::Quantity(component),
-                    declaration,
-                );
-            }
+            let meaning = Meaning::Quantity(component);
+            self.denote(&Formula::of(&node), meaning, declaration);
         }
     }
 }

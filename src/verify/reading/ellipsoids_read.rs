@@ -5,6 +5,7 @@ use crate::mechanics;
 use crate::verify::language::heads::{MASS, PRINCIPAL_AXES, SEMI_AXIS};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::{BodyId, FrameId};
+use crate::verify::reading::boxes_read::by_axis;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 
@@ -33,7 +34,7 @@ impl Builder<'_> {
                 let sizes = letters.iter().map(|l| self.size_by_letter(l, declaration));
                 sizes.collect::<Option<_>>()?
             }
-            _ => one_along_each_axis(told)?,
+            _ => by_axis(told)?.into_iter().collect::<Option<_>>()?,
         };
         let mass = self.reading.system.bodies[body].mass.clone();
         let pi = self.system().atoms.pi();
@@ -60,16 +61,6 @@ impl Builder<'_> {
             _ => false,
         })
     }
-}
-
-fn one_along_each_axis(told: Vec<(usize, Fraction)>) -> Option<Vec<Fraction>> {
-    let mut sizes: [Option<Fraction>; 3] = [None, None, None];
-    for (axis, size) in told {
-        if sizes[axis].replace(size).is_some() {
-            return None;
-        }
-    }
-    sizes.into_iter().collect()
 }
 
 /// "of semi-axes `$a$`, `$b$`, `$c$`", without axes along which these are.

@@ -4,7 +4,7 @@ use crate::verify::language::heads::{CONTACT_FORCE, FORCE, MOMENT, NORMAL_FORCE,
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::{Called, Lasting, Load};
-use crate::verify::model::system::{PointId, Vector};
+use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_outside::opposite_load;
 use crate::verify::reading::loads_read::{FORCES, letters_of};
@@ -208,7 +208,17 @@ impl Builder<'_> {
 
     /// m g of a body.
     pub(super) fn weight(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
-        let body = self.body_of(phrase)?;
+        self.weight_of(self.body_of(phrase)?)
+    }
+
+    /// The weight of a body as a load on it.
+    pub(super) fn weight_on(&mut self, body: BodyId) -> Option<Load> {
+        let weight = self.weight_of(body)?;
+        let value = self.system().value_of(&weight).ok()?.to_vector().ok()?;
+        Some(Load::unnamed(Some(self.centre_of(body)), value, Some(body)))
+    }
+
+    fn weight_of(&mut self, body: BodyId) -> Option<Quantity> {
         let mass = self.reading.system.mass(body);
         let gravity = self.gravity()?;
         Some(Quantity::Scaled(gravity.boxed(), mass))
@@ -291,7 +301,7 @@ fn about_point(force: Quantity, point: PointId) -> Option<Quantity> {
 /// Whether loads that nouns name act on several bodies.
 fn act_on_several(loads: &[Load]) -> bool {
     let bodies = loads.iter().filter_map(|load| match load.called {
-        Called::Noun(_, on) => Some(on),
+        Called::Noun(_, on) | Called::Between(_, _, on) => Some(on),
         _ => None,
     });
     bodies.collect::<BTreeSet<_>>().len() > 1

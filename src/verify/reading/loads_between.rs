@@ -21,8 +21,8 @@ struct Pair {
 }
 
 impl Pair {
-    fn called(self, head: &str) -> Called {
-        Called::Noun(format!("{head} {}", self.agent), self.on)
+    fn called(self, head: &'static str) -> Called {
+        Called::Between(head, self.agent, self.on)
     }
 
     fn turned(self) -> Self {
@@ -48,13 +48,7 @@ impl Builder<'_> {
             return (at == known.at).then_some(known);
         }
         let load = match self.loads_called(&called(pair.turned())).pop() {
-            Some(opposite) if opposite.at == at => Load {
-                called: called(pair),
-                value: -opposite.value.clone(),
-                on: Some(pair.on),
-                ..opposite
-            },
-            Some(_) => return None,
+            Some(opposite) => opposite.opposite().filter(|load| load.at == at)?,
             None => {
                 let text = format!("{}_{{{}{}}}", phrase.head, pair.agent, pair.on);
                 Load {
@@ -191,20 +185,19 @@ impl Builder<'_> {
     }
 
     /// "the motor moment": the one of its kind between a body and another one, where sentences tell whose it is.
-    pub(super) fn kind_between(&mut self, phrase: &NounPhrase, body: BodyId) -> Option<Load> {
+    pub(super) fn kind_between(&self, phrase: &NounPhrase, body: BodyId) -> Option<Load> {
         let of_a_kind = MOMENTS_OF_A_KIND.contains(&phrase.head);
         let plain = of_a_kind && phrase.slots.is_empty() && phrase.adjectives.is_empty();
         let loads = self.reading.system.loads.iter();
-        let pairs = loads.filter_map(|load| match &load.called {
-            Called::Noun(noun, on) => {
-                let agent = noun.strip_prefix(phrase.head)?.trim().parse().ok()?;
-                let pair = Pair { agent, on: *on };
-                (agent == body || *on == body).then_some((pair, load.clone()))
+        let pairs = loads.filter_map(|load| match load.called {
+            Called::Between(head, agent, on) if head == phrase.head => {
+                let pair = Pair { agent, on };
+                (agent == body || on == body).then_some((pair, load))
             }
             _ => None,
         });
-        let pairs: Vec<(Pair, Load)> = pairs.filter(|_| plain).collect();
-        let (first, _) = pairs.first()?;
+        let pairs: Vec<(Pair, &Load)> = pairs.filter(|_| plain).collect();
+        let (first, load) = pairs.first()?;
         let same = |pair: &Pair| {
             [pair.agent, pair.on]
                 .iter()
@@ -213,16 +206,10 @@ impl Builder<'_> {
         if !pairs.iter().all(|(pair, _)| same(pair)) {
             return None;
         }
-        let (pair, load) = pairs.first()?;
-        Some(match pair.on == body {
-            true => load.clone(),
-            false => Load {
-                called: pair.turned().called(phrase.head),
-                value: -load.value.clone(),
-                on: Some(body),
-                ..load.clone()
-            },
-        })
+        match first.on == body {
+            true => Some((*load).clone()),
+            false => load.opposite(),
+        }
     }
 
     fn acting_pair(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Pair> {

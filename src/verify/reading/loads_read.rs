@@ -341,13 +341,10 @@ impl Builder<'_> {
             let meaning = Meaning::Quantity(quantity.clone());
             self.denote(letter, meaning, declaration);
         }
+        let value = self.system().value_of(&quantity).ok()?.to_vector().ok()?;
         Some(Load {
-            called: Called::Nothing,
-            at: Some(at),
-            value: self.system().value_of(&quantity).ok()?.to_vector().ok()?,
             lasting: lasting_of(head),
-            on: None,
-            part: false,
+            ..Load::unnamed(Some(at), value, None)
         })
     }
 }

@@ -160,20 +160,13 @@ impl Builder<'_> {
         let value = self.system().value_of(&quantity).ok()?;
         if let Ok(size) = value.to_scalar() {
             let value = self.axis_of_letter(letter)? * size;
-            return Some(vec![Load {
-                called: Called::Nothing,
-                at: None,
-                value,
-                lasting: Lasting::Always,
-                on: None,
-                part: false,
-            }]);
+            return Some(vec![Load::unnamed(None, value, None)]);
         }
         let value = value.to_vector().ok()?;
         let loads = &self.reading.system.loads;
-        let own = loads
-            .iter()
-            .find(|load| matches!(load.called, Called::Noun(..)) && load.value == value)?;
+        let own = loads.iter().find(|load| {
+            !matches!(load.called, Called::Letter(_) | Called::Nothing) && load.value == value
+        })?;
         Some(self.loads_called(&own.called.clone()))
     }
 

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
+use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::{GRAVITY, OTHER_PRODUCTS};
 use crate::verify::language::statement::{Extent, Formula, NounPhrase, Slot, Term};
 use crate::verify::term::labels::without_commands;
@@ -197,4 +198,11 @@ pub(crate) fn tells_gravity(what: &NounPhrase) -> bool {
     what.head == GRAVITY
         || what.head == "magnitude"
             && matches!(of, Some(Term::Phrase(phrase)) if phrase.head == GRAVITY)
+}
+
+/// A formula by its writing.
+pub(crate) fn written(source: &str) -> Option<Formula> {
+    let row = read_formula(source, 0, &Macros::default()).pop()?;
+    let source = source.to_owned();
+    Some(Formula { source, row })
 }

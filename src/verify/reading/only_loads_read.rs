@@ -86,21 +86,15 @@ impl Builder<'_> {
             on: Some(body),
         };
         let value = self.value_of_load(&acting, declaration);
-        Some(Load {
-            called: Called::Nothing,
-            at: None,
-            value: value.filter(|_| load.slots.iter().all(plain))?,
-            lasting: Lasting::Always,
-            on: Some(body),
-            part: false,
-        })
+        let value = value.filter(|_| load.slots.iter().all(plain))?;
+        Some(Load::unnamed(None, value, Some(body)))
     }
 
     /// The forces of which sentences tell where they act.
     fn told_forces(&self, body: BodyId, lasting: Lasting) -> Vec<Load> {
         let loads = self.reading.system.loads.iter();
         let told = loads.filter(|load| {
-            let named = matches!(&load.called, Called::Letter(_) | Called::Noun(..));
+            let named = !matches!(load.called, Called::Nothing);
             let here = load.on.is_none_or(|on| on == body) && load.at.is_some();
             named && !load.part && load.lasting == lasting && here
         });
@@ -129,12 +123,8 @@ impl Builder<'_> {
         {
             let value = self.system().value_of(&told).ok()?.to_vector().ok()?;
             listed.loads.push(Load {
-                called: Called::Nothing,
-                at: Some(at),
-                value,
                 lasting: listed.lasting,
-                on: None,
-                part: false,
+                ..Load::unnamed(Some(at), value, None)
             });
             return Some(());
         }
@@ -207,14 +197,8 @@ impl Builder<'_> {
 
     /// "the moment at O": what holds an end may turn it in any way.
     fn moment_at(&mut self, at: PointId, body: BodyId) -> Option<Load> {
-        Some(Load {
-            called: Called::Nothing,
-            at: None,
-            value: self.free_load(&format!("M_{{{at}}}"), None)?,
-            lasting: Lasting::Always,
-            on: Some(body),
-            part: false,
-        })
+        let moment = self.free_load(&format!("M_{{{at}}}"), None)?;
+        Some(Load::unnamed(None, moment, Some(body)))
     }
 
     /// The weight, a load by its noun, or loads by letters that other sentences tell.
@@ -229,16 +213,9 @@ impl Builder<'_> {
             if load.slot(Slot::Of).is_some_and(other) {
                 return None;
             }
-            let weight = self.weight(premise)?;
             let body = self.body_of(premise)?;
-            return Some(vec![Load {
-                called: Called::Nothing,
-                at: Some(self.centre_of(body)),
-                value: self.system().value_of(&weight).ok()?.to_vector().ok()?,
-                lasting,
-                on: Some(body),
-                part: false,
-            }]);
+            let weight = self.weight_on(body)?;
+            return Some(vec![Load { lasting, ..weight }]);
         }
         let letters = letters_of(load).into_iter();
         let known: Option<Vec<Load>> = letters.map(|letter| self.load(letter, lasting)).collect();

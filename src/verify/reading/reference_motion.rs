@@ -78,7 +78,7 @@ impl Builder<'_> {
             .iter()
             .flat_map(|(equation, _)| equation.variables());
         let variables: BTreeSet<Variable> = variables.collect();
-        let rates = |v: Variable| std::iter::successors(Some(v), |v| atoms.atom(*v).rate_of);
+        let rates = |v: Variable| atoms.antiderivatives(v);
         let moves = |v: &Variable| {
             let disturbed = rates(*v).any(|v| small.contains(&v));
             !disturbed && !is_undisturbed(atoms, *v, references)
@@ -112,16 +112,7 @@ pub(super) fn is_undisturbed(atoms: &Atoms, variable: Variable, references: &[Va
 
 /// A value where all disturbances and their rates are zero; none where it has no value there.
 pub(super) fn undisturbed(atoms: &Atoms, value: &Fraction, small: &[Variable]) -> Option<Fraction> {
-    let is_small = |variable: Variable| {
-        let mut at = Some(variable);
-        while let Some(variable) = at {
-            if small.contains(&variable) {
-                return true;
-            }
-            at = atoms.atom(variable).rate_of;
-        }
-        false
-    };
+    let is_small = |variable: Variable| atoms.antiderivatives(variable).any(|v| small.contains(&v));
     let kernels = Small::new(small.to_vec(), 1);
     let calm = |polynomial: &Polynomial| {
         let mut calm = polynomial.clone();

@@ -5,6 +5,7 @@ use crate::verify::facts::premises::Facts;
 use crate::verify::language::heads::{DISTURBANCE, REFERENCE};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::Law;
+use crate::verify::model::system::System;
 use crate::verify::reading::Premise;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::letters_read::formulas;
@@ -75,8 +76,14 @@ impl Builder<'_> {
 
     /// What the premises of the whole document say so far.
     pub(super) fn facts_so_far(&mut self) -> Facts {
-        let everywhere = |premise: &&Premise| premise.reach == Reach::All;
-        let premises = self.reading.premises.iter().filter(everywhere);
+        self.facts_of(|_, _| true)
+    }
+
+    /// What some of the premises of the whole document say so far.
+    pub(super) fn facts_of(&mut self, wanted: impl Fn(&System, &Premise) -> bool) -> Facts {
+        let system = &self.reading.system;
+        let premises = self.reading.premises.iter();
+        let premises = premises.filter(|p| p.reach == Reach::All && wanted(system, p));
         let premises = premises.map(|p| (p.equation.clone(), p.source.clone()));
         let premises = premises.collect();
         let mut facts = Facts::default();

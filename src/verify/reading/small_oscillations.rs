@@ -1,12 +1,11 @@
 //! Small oscillations about where a letter is zero: what the equations of motion come to there tells their frequency.
 
 use crate::algebra::{Fraction, Place, Polynomial, Variable, compose};
-use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Motion, Nature, fraction, whole};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, FREQUENCY, PERIOD};
-use crate::verify::term::letters::{Meaning, Reach};
+use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 use num_traits::{One, Zero};
@@ -73,15 +72,7 @@ impl Builder<'_> {
 
     /// −∂ẍ/∂x where x and its rate are zero and stay so, if nothing but constants stands there.
     fn stiffness_about_zero(&mut self, x: Variable) -> Option<Fraction> {
-        let mut facts = Facts::default();
-        for premise in self.reading.premises.clone() {
-            if premise.reach == Reach::All {
-                let atoms = &mut self.reading.system.atoms;
-                facts
-                    .extend(atoms, &premise.equation, &premise.source)
-                    .ok()?;
-            }
-        }
+        let mut facts = self.facts_so_far();
         let atoms = &mut self.reading.system.atoms;
         let rate = atoms.rate(x).as_variable()?;
         let acceleration = atoms.rate(rate);

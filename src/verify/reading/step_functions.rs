@@ -6,7 +6,8 @@ use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, 
 use crate::verify::model::atoms::Motion;
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::steps_read::{STEP, next_letter, written};
+use crate::verify::reading::names::written;
+use crate::verify::reading::steps_read::{STEP, next_letter};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;

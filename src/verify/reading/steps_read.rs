@@ -2,12 +2,11 @@
 
 use crate::algebra::{Fraction, Place};
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::STEP_SIZE;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{is_letter, node_of};
+use crate::verify::reading::names::{is_letter, node_of, written};
 use crate::verify::term::letters::{Meaning, spelled};
 
 /// The noun of one of the instants that a computation goes through.
@@ -126,13 +125,6 @@ impl Builder<'_> {
         let variables = value.entries.iter().flat_map(Fraction::variables);
         variables.into_iter().all(moves)
     }
-}
-
-/// A formula by its writing.
-pub(super) fn written(source: &str) -> Option<Formula> {
-    let row = read_formula(source, 0, &Macros::default()).pop()?;
-    let source = source.to_owned();
-    Some(Formula { source, row })
 }
 
 /// `x_{k+1}` of `x_k`.

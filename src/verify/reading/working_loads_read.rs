@@ -2,12 +2,11 @@
 //! without the forces of their joints.
 
 use crate::algebra::Variable;
-use crate::verify::facts::premises::Facts;
 use crate::verify::language::heads::{MOMENT, MOTOR_MOMENT, WEIGHT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
 };
-use crate::verify::model::loads::{Called, Lasting, Load};
+use crate::verify::model::loads::{Lasting, Load};
 use crate::verify::model::system::{BodyId, Vector};
 use crate::verify::model::virtual_power::Effort;
 use crate::verify::reading::builder::Builder;
@@ -106,7 +105,7 @@ impl Builder<'_> {
         for load in premise.all(Slot::With) {
             loads.extend(self.loads_on_joined(load, &bodies, declaration)?);
         }
-        let opposites = loads.iter().filter_map(opposite);
+        let opposites = loads.iter().filter_map(Load::opposite);
         let new = opposites.filter(|load| {
             let named = loads.iter().any(|l| l.called == load.called);
             load.on.is_some_and(|on| bodies.contains(&on)) && !named
@@ -126,20 +125,13 @@ impl Builder<'_> {
 
     /// The velocities with all constraints put in that sentences tell for the whole document, and the speeds that are kept.
     fn with_constraints(&mut self, efforts: Vec<Effort>) -> Option<(Vec<Effort>, Vec<Variable>)> {
-        let (mut facts, mut steady) = (Facts::default(), vec![]);
-        for premise in self.reading.premises.clone() {
-            let system = &mut self.reading.system;
-            if premise.reach != Reach::All {
-                continue;
-            }
-            if system.is_constraint(&premise.equation) {
-                let atoms = &mut system.atoms;
-                facts
-                    .extend(atoms, &premise.equation, &premise.source)
-                    .ok()?;
-            }
-            steady.extend(system.kept_speed(&premise.equation));
-        }
+        let mut facts = self.facts_of(|system, premise| system.is_constraint(&premise.equation));
+        let always = self.reading.premises.iter();
+        let always = always.filter(|premise| premise.reach == Reach::All);
+        let system = &self.reading.system;
+        let steady = always.filter_map(|premise| system.kept_speed(&premise.equation));
+        let steady: Vec<Variable> = steady.collect();
+        facts.missing().is_none().then_some(())?;
         let mut constrained = vec![];
         for (velocity, effort) in efforts {
             let mut told = Vector::zeros();
@@ -170,10 +162,7 @@ impl Builder<'_> {
                 }
                 self.named_on_joined(load, bodies, declaration)
             }
-            Term::Name(name) if name == MOTOR => {
-                let moment = NounPhrase::new(MOTOR_MOMENT, vec![]);
-                self.loads_of_motors(&moment, declaration)
-            }
+            Term::Name(name) if name == MOTOR => self.loads_of_motors(declaration),
             _ => None,
         }
     }
@@ -188,20 +177,7 @@ impl Builder<'_> {
                 .flat_map(|b| self.reading.system.wholes(b))
                 .collect(),
         };
-        let gravity = self.gravity()?;
-        let gravity = self.system().value_of(&gravity).ok()?.to_vector().ok()?;
-        let weight = |body: BodyId| {
-            let mass = self.reading.system.mass(body);
-            Load {
-                called: Called::Nothing,
-                at: Some(self.reading.system.bodies[body].centre),
-                value: &gravity * mass,
-                lasting: Lasting::Always,
-                on: Some(body),
-                part: false,
-            }
-        };
-        Some(own.into_iter().map(weight).collect())
+        own.into_iter().map(|body| self.weight_on(body)).collect()
     }
 
     /// A load by its letter: one that acts somewhere, or one of a body on another.
@@ -243,25 +219,19 @@ impl Builder<'_> {
             return Some(vec![]);
         }
         let Some(at) = load.slot(Slot::At) else {
-            let pairs: Vec<Load> = bodies
+            let pair = bodies
                 .iter()
-                .filter_map(|&body| self.kind_between(load, body))
-                .take(1)
-                .collect();
-            return match pairs.is_empty() {
-                true => self
-                    .loads_of_motors(load, declaration)
-                    .or_else(|| self.named_load(load, None)),
-                false => Some(pairs),
-            };
+                .find_map(|&body| self.kind_between(load, body));
+            if let Some(pair) = pair {
+                return Some(vec![pair]);
+            }
+            let motors = load.head == MOTOR_MOMENT && load.slots.is_empty();
+            let told = motors.then(|| self.loads_of_motors(declaration)).flatten();
+            return told.or_else(|| self.named_load(load, None));
         };
         let at = self.point(at).filter(|_| FORCES.contains(&load.head))?;
         let named = self.loads_at(at, Lasting::Always);
-        let system = &self.reading.system;
-        let carried = |body: &&BodyId| {
-            let frame = system.bodies[**body].frame;
-            frame.is_some_and(|frame| system.points[at].fixed_in.contains(&frame))
-        };
+        let carried = |body: &&BodyId| self.reading.system.carries(**body, at);
         if named.is_empty() && bodies.iter().filter(carried).count() > 1 {
             return Some(vec![]);
         }
@@ -273,12 +243,7 @@ impl Builder<'_> {
     }
 
     /// "the motor moment", where sentences tell letters for the moments of motors on bodies.
-    fn loads_of_motors(
-        &mut self,
-        load: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<Vec<Load>> {
-        let plain = load.head == MOTOR_MOMENT && load.slots.is_empty();
+    fn loads_of_motors(&mut self, declaration: &Declaration) -> Option<Vec<Load>> {
         let declarations = self.declarations;
         let said = declarations.iter().filter_map(|d| match &d.statement {
             Statement::Is { subjects, what } if what.head == MOMENT => {
@@ -288,7 +253,7 @@ impl Builder<'_> {
             }
             _ => None,
         });
-        let said: Vec<(&Vec<Term>, BodyId)> = said.filter(|_| plain).collect();
+        let said: Vec<(&Vec<Term>, BodyId)> = said.collect();
         let mut loads = vec![];
         for (letters, on) in said {
             for letter in formulas(letters) {
@@ -310,11 +275,8 @@ impl Builder<'_> {
         }
         let at = load.at?;
         let touching = system.contacts.iter().find(|c| c.point == at);
-        let carries = |body: &BodyId| {
-            let body = &system.bodies[*body];
-            let fixed = &system.points[at].fixed_in;
-            body.centre == at || body.frame.is_some_and(|frame| fixed.contains(&frame))
-        };
+        let carries =
+            |body: &BodyId| system.bodies[*body].centre == at || system.carries(*body, at);
         let carrying = (0..system.bodies.len()).find(carries);
         let on = touching.map(|c| c.body).or(carrying)?;
         Some(Load {
@@ -332,19 +294,4 @@ pub(super) fn is_joint(agent: &Term) -> bool {
         Term::Phrase(joint) => JOINTS.contains(&joint.head),
         _ => false,
     }
-}
-
-/// What a body on which another one acts does to that.
-fn opposite(load: &Load) -> Option<Load> {
-    let Called::Noun(noun, on) = &load.called else {
-        return None;
-    };
-    let (head, agent) = noun.rsplit_once(' ')?;
-    let agent: BodyId = agent.parse().ok()?;
-    Some(Load {
-        called: Called::Noun(format!("{head} {on}"), agent),
-        value: -load.value.clone(),
-        on: Some(agent),
-        ..load.clone()
-    })
 }

@@ -196,8 +196,10 @@ impl Judge<'_> {
         let free: BTreeSet<Variable> = points.iter().flat_map(Fraction::variables).collect();
         let atoms = &self.reading.system.atoms;
         let is_plain = |variable: Variable| {
-            let rates = std::iter::successors(Some(variable), |v| atoms.atom(*v).rate_of);
-            let moves = rates.skip(1).any(|v| free.contains(&v));
+            let moves = atoms
+                .antiderivatives(variable)
+                .skip(1)
+                .any(|v| free.contains(&v));
             let sums = matches!(atoms.atom(variable).nature, Nature::Sum(_));
             let driven = atoms.atom(variable).place == Place::Acceleration;
             !moves && !sums && !driven && !atoms.is_unknown(variable)
@@ -242,8 +244,11 @@ impl Judge<'_> {
         }
         let changes = &reading.sizes.changes;
         let atoms = &reading.system.atoms;
-        let rates = |v: Variable| std::iter::successors(Some(v), |v| atoms.atom(*v).rate_of);
-        let disturbed = |v: Variable| rates(v).any(|v| changes.disturbances.contains(&v));
+        let disturbed = |v: Variable| {
+            atoms
+                .antiderivatives(v)
+                .any(|v| changes.disturbances.contains(&v))
+        };
         if residuals
             .iter()
             .flat_map(Fraction::variables)
