@@ -33,7 +33,7 @@ pub use sentences::sentences;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::{Source, Span};
-use delimiters::Region;
+use delimiters::{Region, is_restructured};
 use document::{Document, Format, Formula, Item, Row};
 use parse::rows::Reading;
 use std::borrow::Cow;
@@ -105,6 +105,11 @@ pub fn read_declared(
 /// Reads a document with commands that mark letters.
 fn read_with(name: &str, text: &str, format: Format, marks: &Marks) -> (Document, Vec<Diagnostic>) {
     let mut troubles = vec![];
+    // A text with displays that are marked as such is read by these marks.
+    let format = match format {
+        Format::Text if is_restructured(text) => Format::Markdown,
+        format => format,
+    };
     let mut document = read_items(name, text, format, (false, marks), &mut troubles);
     if habits::decimal_commas(&document) {
         troubles.clear();

@@ -30,7 +30,7 @@ Exit code: 0 every line is proved or accepted, 1 a line is refuted, 2 an input c
 
 What can be written, and what it is read as: polhode help notation")]
 pub(super) struct Options {
-    /// Documents (.md, .tex, .ipynb, .txt), or - for standard input
+    /// Documents (.md, .rst, .tex, .ipynb, .txt), or - for standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Text for the terminal, JSON for programs, or a page

@@ -59,7 +59,7 @@ A large class can be marked in parts, on several machines that share the folder:
 
 Exit code: 0 all work is marked, 3 someone waits for a person, 2 the key or the submissions can't be used")]
 pub(super) struct Options {
-    /// The instructor's derivation (.md, .tex, .ipynb, .txt)
+    /// The instructor's derivation (.md, .rst, .tex, .ipynb, .txt)
     #[arg(value_name = "KEY")]
     key: PathBuf,
     /// A folder, or a zip archive, with a file, an archive or a folder for each student

@@ -4,8 +4,10 @@
 //! `+` mean something else than in the text around it.
 
 mod code;
+mod restructured;
 mod search;
 
+pub(crate) use restructured::is_restructured;
 pub(crate) use search::find;
 
 use search::{blank_line, find_command, find_unescaped, paragraph_end};
@@ -113,6 +115,8 @@ impl Scan<'_> {
         match rest {
             [b'`' | b'~', ..] if self.dialect == Dialect::Markdown => self.code(),
             [b':', b':', b':', ..] if self.dialect == Dialect::Markdown => self.directive(),
+            [b':', b'm', ..] if self.dialect == Dialect::Markdown => self.role(),
+            [b'.', b'.', b' ', ..] if self.dialect == Dialect::Markdown => self.math_directive(),
             [b'<', b'!', b'-', b'-', ..] if self.dialect == Dialect::Markdown => {
                 self.skip_past("-->")
             }

@@ -37,6 +37,10 @@ fn markdown_has_formulas_between_many_marks() {
         "It costs \\$5, then $a = b$.",
         "It costs $5 and $10. See $a = b$",
         "Money: $5 to $10; $a = b$.",
+        ".. math:: a = b\n\nAnd so on.",
+        ".. math::\n   :label: euler\n\n   a = b\n\nAnd so on.",
+        "So :math:`a = b` holds.",
+        "1. first\n\n   .. math::\n\n      a\n      = b\n\n   and so on",
     ] {
         assert_eq!(document(text, Format::Markdown), "a = b", "{text}");
     }
@@ -217,4 +221,18 @@ fn a_row_begins_where_its_first_sign_stands() {
 fn definitions_inside_a_formula_state_nothing() {
     let text = "$$\\newcommand{\\om}{\\boldsymbol\\omega}\\def\\half{\\tfrac12} \\om = \\half$$";
     assert_eq!(document(text, Format::Markdown), "vec:omega = (/ 1 2)");
+}
+
+#[test]
+fn a_directive_holds_formulas_that_blank_lines_part() {
+    let text = "So\n\n.. math::\n   :label: two\n\n   a = b\n\n   \\begin{aligned}\n   c &= d\n\n   &= e\n   \\end{aligned}\n\nand on.\n";
+    let (document, _) = read("a.rst", text, Format::Markdown);
+    let formulas = document
+        .items
+        .iter()
+        .filter(|item| matches!(item, Item::Formula(_)));
+    assert_eq!(formulas.count(), 2);
+    let (plain, _) = read("a.txt", text, Format::Text);
+    assert_eq!(plain.items.len(), document.items.len());
+    assert!(prose(&document).contains("and on."));
 }

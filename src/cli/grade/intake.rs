@@ -17,8 +17,8 @@ const MOST_PACKED: u64 = 8 << 20;
 pub(super) const MOST_FILES: usize = 50;
 
 /// Endings of files that are read.
-const ENDINGS: [&str; 9] = [
-    "md", "markdown", "tex", "ltx", "latex", "ipynb", "txt", "text", "mkd",
+const ENDINGS: [&str; 10] = [
+    "md", "markdown", "tex", "ltx", "latex", "ipynb", "txt", "text", "mkd", "rst",
 ];
 
 /// What was read so far.

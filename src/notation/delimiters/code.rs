@@ -58,7 +58,7 @@ impl Scan<'_> {
     }
 
     /// Whether the text stands at the start of a line, behind a few marks of a list or a quotation.
-    fn starts_line(&self) -> bool {
+    pub(super) fn starts_line(&self) -> bool {
         let near = &self.bytes[self.at.saturating_sub(100)..self.at];
         let lead = near.iter().rev().take_while(|b| **b != b'\n');
         lead.clone().all(|b| matches!(b, b' ' | b'\t' | b'>'))

@@ -232,13 +232,13 @@ fn member_and_axis<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Vec<&'t [Token<'a>
 
 /// The symbol that a subscript hangs on; `\omega^2_x` is the square of ω_x, and `A^T_B` is A_B transposed.
 fn indexed(node: &mut Node) -> Option<&mut Symbol> {
-    let squared = matches!(&node.kind, Kind::Power(base, _) | Kind::Transpose(base)
-        if matches!(&base.kind, Kind::Symbol(symbol) if symbol.subscripts.is_empty()));
-    if !squared {
+    if !matches!(node.kind, Kind::Power(..) | Kind::Transpose(_)) {
         return symbol_of(node);
     }
     match &mut node.kind {
-        Kind::Power(base, _) | Kind::Transpose(base) => symbol_of(base),
+        Kind::Power(base, _) | Kind::Transpose(base) => {
+            symbol_of(base).filter(|symbol| symbol.subscripts.is_empty())
+        }
         _ => None,
     }
 }
