@@ -66,6 +66,7 @@ pub(crate) mod premises_read;
 pub(crate) mod products_read;
 pub(crate) mod quantities_read;
 pub(crate) mod quaternions_read;
+pub(crate) mod rate_matrices_read;
 pub(crate) mod reactions_read;
 pub(crate) mod reference_motion;
 pub(crate) mod references_read;

@@ -41,6 +41,14 @@ const BEFORE: [&str; 25] = [
     "leaves",
 ];
 
+/// Words by which two bodies of one kind are told apart: they are parts of their names.
+const APART: [&str; 32] = [
+    "upper", "lower", "inner", "outer", "front", "rear", "back", "left", "right", "top", "bottom",
+    "middle", "small", "large", "smaller", "larger", "big", "little", "long", "short", "heavy",
+    "light", "driving", "driven", "fore", "aft", "near", "far", "main", "central", "leading",
+    "trailing",
+];
+
 /// Words that count, point, compare or say how, and never name a body.
 const NO_NAMES: [&str; 48] = [
     "left-handed",
@@ -107,7 +115,7 @@ pub(crate) fn introduced<'a>(
     let mut found = BTreeSet::new();
     for tokens in sentences.clone() {
         found.extend(names(tokens, &contexts, lexicon));
-        found.extend(consists(tokens).then(|| WHOLE.to_owned()));
+        found.extend(consists(tokens, lexicon));
         if found.len() > MOST_BODIES {
             break;
         }
@@ -161,11 +169,18 @@ fn mistyped(name: &str, lexicon: &Lexicon) -> bool {
 /// The word for what has parts, where no noun follows: "the whole consists of the hub and P".
 pub(crate) const WHOLE: &str = "whole";
 
-/// Whether a sentence says of what the whole consists.
-fn consists(tokens: &[Token]) -> bool {
+/// The word for what a sentence says the parts of, where it is none for a thing otherwise: "the drive consists of …".
+fn consists(tokens: &[Token], lexicon: &Lexicon) -> Option<String> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    let says = |at: &[&str]| matches!(at, ["the", WHOLE, "consists", "of"]);
-    words.windows(4).any(says)
+    let nouns = [Class::Thing, Class::Noun, Class::Place, Class::Preposition];
+    words.windows(4).find_map(|at| match at {
+        ["the", word, "consists", "of"] => {
+            let other = *word != WHOLE && lexicon.find(&[word], &nouns).is_some();
+            let name = !other && may_name(word) && !is_glue(word);
+            name.then(|| (*word).to_owned())
+        }
+        _ => None,
+    })
 }
 
 /// The bodies that one sentence introduces.
@@ -267,6 +282,10 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
         if !plain || is_glue(word) || ARTICLES.contains(&word) || !may_name(word) {
             break;
         }
+        if end == start && tells_apart(&tokens[end..], lexicon) {
+            (unknown, end) = (true, end + 1);
+            continue;
+        }
         if known(tokens, end, lexicon) {
             let rest: Vec<&str> = tokens[end..]
                 .iter()
@@ -305,6 +324,19 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
         .map(|t| t.lower.as_str())
         .collect();
     found.then(|| (words.join(" "), end))
+}
+
+/// "upper arm", "front wheel"
+fn tells_apart(tokens: &[Token], lexicon: &Lexicon) -> bool {
+    let [word, thing, ..] = tokens else {
+        return false;
+    };
+    let thing = lexicon.find(&[thing.lower.as_str()], &[Class::Thing]);
+    let both = [word.lower.as_str(), &tokens[1].lower];
+    let known = lexicon.find(&both, &[Class::Thing]);
+    APART.contains(&word.lower.as_str())
+        && thing.is_some()
+        && known.is_none_or(|known| known.length < 2)
 }
 
 /// Whether an entry of the lexicon begins with the words that stand here.

@@ -5,6 +5,8 @@ use super::anaphora::{referring, with_it_inside, with_its};
 use super::at_zero::tell_axes_at_zero;
 use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
+use super::capital_names::keep_capitals;
+use super::chains::name_chains;
 use super::clause::Said;
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
@@ -36,6 +38,7 @@ use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
 };
 use super::planar::turn_in_planes;
+use super::rate_matrices::tell_rate_matrices;
 use super::reader::Reader;
 use super::reorder::{
     axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
@@ -75,16 +78,15 @@ pub fn read_declarations(
         .map(|(at, line)| (at + 1, line.trim_end()));
     let sentences = lines
         .filter(|(_, line)| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
-    let parted: Vec<_> = sentences
-        .map(|(line, sentence)| (line, sentence, parted(sentence, line)))
-        .collect();
-    let understood = parted
-        .iter()
-        .filter_map(|(_, _, tokens)| tokens.as_deref().ok());
+    let sentences: Vec<_> = sentences.collect();
+    let parted = sentences.iter().map(|(line, text)| parted(text, *line));
+    let mut parted: Vec<_> = parted.collect();
+    keep_capitals(&mut parted);
+    let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let bodies = introduced(understood, lexicon);
     let (mut declarations, mut misread) = (vec![], vec![]);
     let mut before: Vec<&[Token]> = vec![];
-    for (line, sentence, tokens) in &parted {
+    for ((line, sentence), tokens) in sentences.iter().zip(&parted) {
         let line = *line;
         let reader = |tokens: &[Token]| read(tokens, sentence, line, macros, lexicon, &bodies);
         let said = match tokens {
@@ -128,6 +130,7 @@ fn in_plain_terms(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
+    name_chains(&mut declarations);
     name_frames_by_numbers(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
@@ -145,6 +148,7 @@ fn in_plain_terms(
     tell_relations(&mut declarations);
     tell_turning(&mut declarations);
     tell_matrices(&mut declarations);
+    tell_rate_matrices(&mut declarations);
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
     tell_upright_axes(&mut declarations);

@@ -163,6 +163,15 @@ pub(crate) struct Family {
     pub(crate) density: Option<Fraction>,
 }
 
+/// Two axes of a frame on which columns of two hold components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct AxisPair {
+    pub(crate) frame: FrameId,
+    pub(crate) axes: [usize; 2],
+    /// Whether a sentence says so of all columns of two, and not only that what moves does so in the plane of both.
+    pub(crate) told: bool,
+}
+
 /// All that a document speaks of.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct System {
@@ -178,8 +187,7 @@ pub(crate) struct System {
     pub(crate) ground: FrameId,
     /// The frame on which components are worked with.
     pub(crate) work: FrameId,
-    /// The two axes of a frame on which columns of two hold components.
-    pub(crate) plane: Option<(FrameId, [usize; 2])>,
+    pub(crate) axis_pair: Option<AxisPair>,
     /// Whether each quantity keeps a variable of its own where a law gives its value in one term, or as it is seen from
     /// another frame: then what a line says can be told from what the laws make of it.
     pub(crate) apart: bool,

@@ -80,7 +80,9 @@ impl Builder<'_> {
     fn bodies_of_noun(&mut self, subjects: &[Term], what: &NounPhrase) {
         match what.head {
             "frame" => {
-                if let Some(Term::Name(name)) = what.slot(Slot::FixedIn) {
+                if let Some(Term::Name(name)) = what.slot(Slot::FixedIn)
+                    && (!self.frames.contains_key(name) || is_body(name))
+                {
                     self.add_named_body(name);
                 }
             }

@@ -8,11 +8,18 @@ use crate::verify::language::statement::{
 use crate::verify::reading::builder::{Builder, place_in};
 use crate::verify::reading::names::{is_marked_vector, node_of, reach_of};
 use crate::verify::reading::reactions_read::same_letter;
-use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::letters::{Letter, Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
 /// The letter that a formula may define, and what it may be.
 pub(crate) fn definition_in(formula: &Formula) -> Option<(&Node, &Node)> {
+    let (left, right) = equal_sides(formula)?;
+    let new = matches!(left.kind, Kind::Symbol(_)) && !stands_in(right, &spelled(left));
+    new.then_some((left, right))
+}
+
+/// The sides of an equation.
+fn equal_sides(formula: &Formula) -> Option<(&Node, &Node)> {
     let Row::Line(Line {
         sides, relations, ..
     }) = &formula.row
@@ -20,11 +27,7 @@ pub(crate) fn definition_in(formula: &Formula) -> Option<(&Node, &Node)> {
         return None;
     };
     match (sides.as_slice(), relations.as_slice()) {
-        ([left, right], [(Relation::Equal | Relation::Defined, _)])
-            if matches!(left.kind, Kind::Symbol(_)) && !stands_in(right, &spelled(left)) =>
-        {
-            Some((left, right))
-        }
+        ([left, right], [(Relation::Equal | Relation::Defined, _)]) => Some((left, right)),
         _ => None,
     }
 }
@@ -59,6 +62,7 @@ impl Builder<'_> {
     /// does so in a part of the document only, a number is another one elsewhere, and that they are equal is a premise.
     pub(super) fn read_definition(&mut self, formula: &Formula, declaration: &Declaration) {
         let Some((left, right)) = definition_in(formula) else {
+            self.read_vector_besides(formula, declaration);
             return;
         };
         let letter = Formula::of(left);
@@ -81,6 +85,25 @@ impl Builder<'_> {
         self.reading.system.trust(&value);
         let known = Meaning::Quantity(Quantity::Known(value));
         self.denote(&letter, known, declaration);
+    }
+
+    /// "`$\\omega = \\omega z$`": the letter of a number is that of a vector as well, where only this fits.
+    fn read_vector_besides(&mut self, formula: &Formula, declaration: &Declaration) -> Option<()> {
+        let (left, right) = equal_sides(formula)?;
+        let letter = Formula::of(left);
+        let own = matches!(left.kind, Kind::Symbol(_)) && stands_in(right, &spelled(left));
+        let number = own.then(|| self.mentioned_value(&letter, declaration))??;
+        let vector = self.mentioned_value(&Formula::of(right), declaration)?;
+        if !number.is_scalar() || !vector.is_vector() {
+            return None;
+        }
+        let meaning = Meaning::Quantity(Quantity::Known(vector));
+        let letter = self.letter(&letter, meaning, declaration)?;
+        self.reading.letters.letters.push(Letter {
+            besides: true,
+            ..letter
+        });
+        Some(())
     }
 
     /// What a formula of a sentence sets a letter to, of which no sentence says in words what it is.

@@ -1,7 +1,7 @@
 //! What is said of one instant: values of letters then, what is zero or at rest then, and lines that hold then alone.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::Kind;
+use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::verify::Role;
 use crate::verify::facts::{START, Source};
@@ -238,12 +238,25 @@ impl Builder<'_> {
             .iter()
             .find_map(|(slot, term)| instant_of(*slot, term));
         let (name, _) = found?;
-        let given = name == START || slots.iter().any(|(_, term)| term.is_condition());
+        let given = name == START || slots.iter().any(|(_, term)| is_time_told(term));
         self.reading.instants.named(&name).lines.push(lines.clone());
         let role = LineRole::new(lines.clone(), Some(Role::Given));
         self.reading.roles.extend(given.then_some(role));
         Some(())
     }
+}
+
+/// "at `$t = t_1$`": what holds there is told. What holds at `$\\varphi = 0$` is a claim.
+fn is_time_told(term: &Term) -> bool {
+    let Term::Formula(Formula {
+        row: Row::Line(line),
+        ..
+    }) = term
+    else {
+        return false;
+    };
+    let time = |side: &Node| matches!(&side.kind, Kind::Symbol(symbol) if symbol.name == "t");
+    line.sides.first().is_some_and(time)
 }
 
 /// Whether a sentence says something of one instant alone, and what.

@@ -26,6 +26,7 @@ use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
 use crate::verify::reading::quaternions_read::layout;
+use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::rotations_read::turns_by_argument;
@@ -34,6 +35,9 @@ use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
 /// Nouns that name no quantity: others hear of these things.
+/// Shapes that are halves of others, of which a part lies where no sentence can say yet.
+const HALVES: [&str; 3] = ["half-disc", "half-cylinder", "half-ring"];
+
 const THINGS: [&str; 24] = [
     PLANE_OF_SYMMETRY,
     "frame",
@@ -237,10 +241,10 @@ impl Builder<'_> {
             EIGENVALUE => self.read_eigenvalue(subjects, what, declaration),
             EXPLICIT_EULER => Some(()),
             FIRST_ORDER_CHANGE => self.read_change(subjects, what, declaration),
-            JACOBIAN => self.read_jacobian(subjects, what, declaration),
+            JACOBIAN if rates_in(what).is_none() => self.read_jacobian(subjects, what, declaration),
             STEP_SIZE => self.read_step_size(subjects, declaration),
             REMAINDER => self.read_remainder(subjects, what, declaration),
-            "product" => self.read_product(subjects, what, declaration),
+            "product" | "quotient" => self.read_product(subjects, what, declaration),
             // `e` with a power is the exponential function wherever it stands.
             NATURAL_BASE => {
                 let is_e = |f: &Formula| matches!(f.source.as_str(), "e" | "\\mathrm{e}");
@@ -254,6 +258,10 @@ impl Builder<'_> {
         let named =
             |term: &Term| matches!(term, Term::Formula(_)) || matches!(term, Term::Phrase(_));
         if !subjects.iter().any(named) {
+            // A shape of which no more than the name is known.
+            if HALVES.contains(&what.head) && !what.slots.is_empty() {
+                self.say_unused(declaration);
+            }
             return;
         }
         let about_axes = what.head == MOMENT_OF_INERTIA && subjects.len() == 3;

@@ -25,6 +25,26 @@ impl Builder<'_> {
         self.outside(agent, upon.or(on)).filter(|_| load)
     }
 
+    /// "The moment of the base is the only load on the arm": the part of the arm on which another sentence says that it acts; all of
+    /// the arm where none does, and nothing where several do.
+    pub(super) fn part_acted_on(&self, load: &NounPhrase, whole: BodyId) -> Option<BodyId> {
+        let parts = self.reading.system.wholes(whole);
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == load.head => Some(what),
+            _ => None,
+        });
+        let same = said.filter(|what| what.slot(Slot::Of) == load.slot(Slot::Of));
+        let upon = same.filter_map(|what| self.body(what.slot(Slot::Upon)?));
+        let mut upon: Vec<BodyId> = upon.filter(|body| parts.contains(body)).collect();
+        upon.sort_unstable();
+        upon.dedup();
+        match upon.as_slice() {
+            [] => Some(whole),
+            [part] => Some(*part),
+            _ => None,
+        }
+    }
+
     /// What is no body of the system beside a rigid one, by its name.
     pub(super) fn outside(&self, other: &Term, body: Option<BodyId>) -> Option<String> {
         let name = match other {

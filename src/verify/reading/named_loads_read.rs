@@ -49,7 +49,7 @@ impl Builder<'_> {
         let body = match (&agent, phrase.slot(Slot::Of)) {
             (Some(_), _) => match phrase.slot(Slot::Upon) {
                 Some(upon) => self.body(upon)?,
-                None => on?,
+                None => self.part_acted_on(phrase, on?)?,
             },
             // What another body exerts is no load of a kind that acts on that body.
             (None, Some(_)) if phrase.slot(Slot::Upon).is_some() => return None,

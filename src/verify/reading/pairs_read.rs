@@ -4,7 +4,7 @@ use crate::verify::language::heads::COLUMNS_OF_TWO;
 use crate::verify::language::statement::{
     NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
-use crate::verify::model::system::FrameId;
+use crate::verify::model::system::{AxisPair, FrameId};
 use crate::verify::reading::builder::Builder;
 
 impl Builder<'_> {
@@ -26,7 +26,10 @@ impl Builder<'_> {
             let first = on.filter(|_| are_the_first(phrase));
             let pair = first.map(|frame| (frame, [0, 1]));
             match pair.or_else(|| self.pair_of_axes(phrase)) {
-                Some(pair) if phrase.head == "component" => self.system().plane = Some(pair),
+                Some((frame, axes)) if phrase.head == "component" => {
+                    let told = true;
+                    self.system().axis_pair = Some(AxisPair { frame, axes, told });
+                }
                 _ => self.say_unused(declaration),
             }
         }

@@ -3,7 +3,7 @@
 use crate::mechanics::cross;
 use crate::verify::language::heads::{MOMENT, POSITION, WITHOUT_FRICTION};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::{BodyId, Vector};
+use crate::verify::model::system::{AxisPair, BodyId, FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::lying_read::axis_of;
@@ -130,7 +130,9 @@ impl Builder<'_> {
             .filter(|(_, term)| !(counted && term.is_noun(WITHOUT_FRICTION)))
             .collect();
         let [(slot, way)] = ways.as_slice() else {
-            return None;
+            return self
+                .move_freely(subjects, frame)
+                .filter(|_| ways.is_empty());
         };
         if let (Slot::Along, Term::Phrase(axis)) = (slot, way)
             && axis.slot(Slot::Through).is_some()
@@ -169,6 +171,15 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// "P moves relative to A": nothing holds it there.
+    fn move_freely(&mut self, subjects: &[Term], frame: FrameId) -> Option<()> {
+        let points: Option<Vec<_>> = subjects.iter().map(|subject| self.point(subject)).collect();
+        let system = self.system();
+        let mut at_rest = |point| system.velocity(point, frame) == Vector::zeros();
+        let moving = !points?.into_iter().any(&mut at_rest);
+        moving.then_some(())
+    }
+
     /// "The arm moves in the plane of x and y": no point of it moves across that.
     pub(super) fn moves_in_plane(
         &mut self,
@@ -179,6 +190,7 @@ impl Builder<'_> {
         let Some((bodies, normal)) = self.plane_of_motion(subjects, slots, declaration) else {
             return false;
         };
+        self.pair_axes_of_plane(slots);
         let ground = self.reading.system.ground;
         for body in bodies {
             let (centre, frame) = (self.centre_of(body), self.reading.system.bodies[body].frame);
@@ -190,6 +202,23 @@ impl Builder<'_> {
             }
         }
         true
+    }
+
+    /// Columns of two hold components on the axes of the plane of motion, where no sentence says on which.
+    fn pair_axes_of_plane(&mut self, slots: &[(Slot, Term)]) {
+        let [(Slot::In, Term::Phrase(plane))] = slots else {
+            return;
+        };
+        let axes = plane.all(Slot::Of).flat_map(one_by_one);
+        let axes: Option<Vec<_>> = axes.map(|axis| self.axis_of_frame(&axis)).collect();
+        if let Some(&[(frame, one), (other, two)]) = axes.as_deref()
+            && frame == other
+            && one != two
+        {
+            let (axes, told) = ([one, two], false);
+            let pair = AxisPair { frame, axes, told };
+            self.system().axis_pair.get_or_insert(pair);
+        }
     }
 
     /// The bodies that a sentence says to move in a plane, and the normal of this.
@@ -223,10 +252,9 @@ impl Builder<'_> {
 
     /// What stands on "the plane of x and y", or on "a plane perpendicular to z".
     fn normal_of_plane(&mut self, plane: &NounPhrase, declaration: &Declaration) -> Option<Vector> {
-        let axes: Option<Vec<Vector>> = plane
-            .slots
-            .iter()
-            .map(|(_, axis)| self.axis_vector(axis, declaration))
+        let axes = plane.slots.iter().flat_map(|(_, axis)| one_by_one(axis));
+        let axes: Option<Vec<Vector>> = axes
+            .map(|axis| self.axis_vector(&axis, declaration))
             .collect();
         let slot = |slot: Slot| plane.all(slot).count() == plane.slots.len();
         match axes?.as_slice() {
@@ -277,4 +305,23 @@ impl Builder<'_> {
 pub(super) fn are_moments(subjects: &[Term]) -> bool {
     let moment = |subject: &Term| matches!(subject, Term::Phrase(load) if load.head == MOMENT);
     subjects.iter().all(moment)
+}
+
+/// "the first two axes of N" as the first and the second one.
+fn one_by_one(axes: &Term) -> Vec<Term> {
+    let Term::Phrase(phrase) = axes else {
+        return vec![axes.clone()];
+    };
+    let first = Term::Numbers(vec![1]);
+    if !phrase.is("two") || phrase.slot(Slot::Which) != Some(&first) {
+        return vec![axes.clone()];
+    }
+    let numbered = |number: usize| {
+        let mut one = (**phrase).clone();
+        one.adjectives.retain(|said| *said != "two");
+        one.slots.retain(|(slot, _)| *slot != Slot::Which);
+        one.slots.push((Slot::Which, Term::Numbers(vec![number])));
+        Term::Phrase(Box::new(one))
+    };
+    vec![numbered(1), numbered(2)]
 }

@@ -32,6 +32,8 @@ impl Builder<'_> {
             s if each(s) => 5,
             s if s.fixed_in.contains(&ground) && s.fixed_in.len() > 1 => 0,
             s if s.fixed_in.contains(&ground) => 1,
+            // From a joint the mass centres of both bodies are placed.
+            s if s.fixed_in.len() > 1 && s.lies.is_none() => 1,
             s if s
                 .centre_of
                 .is_some_and(|b| !self.reading.system.bodies[b].parts.is_empty()) =>
@@ -364,6 +366,11 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
+            if what.all(Slot::FixedIn).count() > 1 {
+                subjects
+                    .iter()
+                    .for_each(|subject| self.hold_fixed(subject, declaration));
+            }
             if what.head != MASS_CENTRE {
                 continue;
             }

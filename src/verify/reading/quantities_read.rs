@@ -2,8 +2,8 @@
 
 use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
-    IDENTITY_MATRIX, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA, NORMAL_FORCE,
-    ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE, VECTOR_PART,
+    IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA,
+    NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -121,6 +121,7 @@ impl Builder<'_> {
                 self.part_of_quaternion(phrase, declaration)?
             }
             IDENTITY_MATRIX => Quantity::Identity,
+            JACOBIAN => self.rate_matrix(phrase, declaration)?,
             MASS if is_per_unit(phrase) => self.density(phrase, declaration)?,
             MASS => Quantity::Mass(self.whole_of(phrase)?),
             "volume" => self.volume(phrase)?,

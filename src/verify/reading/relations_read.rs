@@ -13,6 +13,7 @@ use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::Value;
+use num_traits::Zero;
 
 /// The order of the entries of a symmetric tensor, where their letters do not say it.
 const ENTRIES: [[usize; 2]; 6] = [[0, 0], [1, 1], [2, 2], [0, 1], [0, 2], [1, 2]];
@@ -275,7 +276,7 @@ impl Builder<'_> {
         })
     }
 
-    /// "`$h$` is the product of `$J$` and `$\Omega$`."
+    /// "`$h$` is the product of `$J$` and `$\Omega$`", "`$k$` is the quotient of `$M$` and the mass of B".
     pub(super) fn read_product(
         &mut self,
         subjects: &[Term],
@@ -286,14 +287,23 @@ impl Builder<'_> {
             return None;
         };
         let mut product = whole(1);
-        for (slot, term) in &what.slots {
-            let (Slot::Of, Term::Formula(factor)) = (slot, term) else {
-                return None;
+        for (place, (slot, term)) in what.slots.iter().enumerate() {
+            let factor = match (slot, term) {
+                (Slot::Of, Term::Formula(factor)) if self.is_told(factor, declaration) => {
+                    self.formula_value(factor, declaration)?
+                }
+                (Slot::Of, Term::Phrase(_)) => {
+                    let factor = self.operand(term, declaration)?;
+                    self.system().value_of(&factor).ok()?
+                }
+                _ => return None,
             };
-            if !self.is_told(factor, declaration) {
-                return None;
+            let factor = factor.to_scalar().ok()?;
+            match (what.head, place) {
+                ("quotient", 1) if !factor.is_zero() => product /= factor,
+                ("quotient", 1..) => return None,
+                _ => product *= factor,
             }
-            product *= self.formula_value(factor, declaration)?.to_scalar().ok()?;
         }
         let product = Quantity::Known(Value::scalar(product));
         self.denote(letter, Meaning::Quantity(product), declaration);

@@ -1,6 +1,8 @@
 //! What is at rest in a frame: bodies that have it for their own, and frames that do not turn against it.
 
-use crate::verify::language::statement::{Extent, NounPhrase, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{
+    Declaration, Extent, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::system::{Body, BodyId, FrameId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -10,6 +12,19 @@ use crate::verify::reading::names::name_of;
 const TRIADS: [&str; 2] = ["axes", "axis"];
 
 impl Builder<'_> {
+    /// A point stays where it is in all frames in which it is fixed, also where it was placed in one of them alone.
+    pub(super) fn hold_fixed(&mut self, subject: &Term, declaration: &Declaration) {
+        let Some(point) = self.point(subject) else {
+            return;
+        };
+        for frame in self.reading.system.points[point].fixed_in.clone() {
+            let system = self.system();
+            let way = system.position(point, system.fixed_point(frame));
+            let rate = system.rate_seen_from(frame, &way);
+            self.hold_zero(&rate, declaration);
+        }
+    }
+
     /// "The hub is fixed in N": it has the frame for its own.
     pub(super) fn fix_bodies_in_frames(&mut self) {
         for declaration in self.declarations {

@@ -1,6 +1,7 @@
 //! Links that fail: numbers that show it, or why none are given.
 
 use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::Line;
 use crate::source::Span;
 use crate::verify::Role;
 use crate::verify::facts::Source;
@@ -53,6 +54,7 @@ impl Judge<'_> {
     /// Keeps in mind a line that is taken as given and of which nothing is made: others may hold by it.
     pub(super) fn note_if_not_taken_in(
         &mut self,
+        row: &Line,
         purpose: Purpose,
         verdict: Answer,
         held: &[Held],
@@ -61,7 +63,8 @@ impl Judge<'_> {
         self.again.not_taken_in.retain(|open| *open != line);
         let taken = purpose.declared && matches!(purpose.role, Role::Given | Role::Assume);
         let ill_typed = |h: &Held| h.standing == Standing::Denied && h.sides.is_empty();
-        if taken && (verdict == Answer::Undecided || held.iter().any(ill_typed)) {
+        let open = verdict == Answer::Undecided || held.iter().any(ill_typed);
+        if taken && (open || self.unused_of(&row.sides).is_some()) {
             self.again.not_taken_in.push(line);
         }
     }

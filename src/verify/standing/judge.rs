@@ -389,7 +389,7 @@ impl<'a> Judge<'a> {
                 verdict = verdict.max(self.settle(held, &self.source()));
             }
         }
-        self.note_if_not_taken_in(purpose, verdict, &held);
+        self.note_if_not_taken_in(line, purpose, verdict, &held);
         let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
         let proof = proofs.split_first().map(|(first, rest)| {
             rest.iter()

@@ -13,7 +13,7 @@ impl Lowering<'_> {
         }
         let is_letter = |exact: &str| self.letters.letters.iter().any(|l| l.spelled == exact);
         let (exact, loose) = (spelled(node), loosely(node));
-        if let Some((rate, letter)) = rate_of_power(node)
+        if let Some((rate, letter)) = rate_of_whole(node)
             && is_letter(&letter)
             && !is_letter(&exact)
         {
@@ -47,9 +47,10 @@ impl Lowering<'_> {
     }
 }
 
-/// `\dot R_1^0`, where `R_1^0` may be a letter with a label at the upper right: its rate, and how the letter is spelled.
-fn rate_of_power(node: &Node) -> Option<(Node, String)> {
-    let Kind::Power(base, label) = &node.kind else {
+/// `\dot R_1^0`, where `R_1^0` may be a letter with a label at the upper right, or `\dot R(\psi)`, where `R(\psi)` may be one:
+/// its rate, and how the letter is spelled.
+fn rate_of_whole(node: &Node) -> Option<(Node, String)> {
+    let (Kind::Power(base, _) | Kind::Call(base, _)) = &node.kind else {
         return None;
     };
     let Kind::TimeDerivative {
@@ -65,7 +66,11 @@ fn rate_of_power(node: &Node) -> Option<(Node, String)> {
         kind,
         span: node.span,
     };
-    let letter = at(Kind::Power(operand.clone(), label.clone()));
+    let letter = at(match &node.kind {
+        Kind::Call(_, arguments) => Kind::Call(operand.clone(), arguments.clone()),
+        Kind::Power(_, label) => Kind::Power(operand.clone(), label.clone()),
+        _ => return None,
+    });
     let spelled = spelled(&letter);
     let rate = Kind::TimeDerivative {
         operand: Box::new(letter),

@@ -33,6 +33,12 @@ impl System {
         if b.is_scalar() {
             return Ok(a.scaled(&b.entries[0]));
         }
+        if let (3, 2, Some(a)) = (a.columns, b.rows, self.in_plane(a)) {
+            return self.times(&a, b, custom);
+        }
+        if let (2, 3, Some(b)) = (a.columns, b.rows, self.in_plane(b)) {
+            return self.times(a, &b, custom);
+        }
         if a.columns != b.rows {
             return ill_typed(format!("{} is multiplied by {}", a.shape(), b.shape()));
         }
@@ -225,7 +231,8 @@ impl System {
         if same {
             return self.brought_together(a, b, custom);
         }
-        if let Some(plane) = self.plane {
+        if let Some(pair) = self.axis_pair.filter(|pair| pair.told) {
+            let plane = (pair.frame, pair.axes);
             let column = |value: &Value| (value.rows, value.columns) == (2, 1);
             if a.is_vector() && column(b) {
                 return Ok((self.on_two_axes(a, plane)?, b.clone()));
@@ -233,6 +240,13 @@ impl System {
             if column(a) && b.is_vector() {
                 return Ok((a.clone(), self.on_two_axes(b, plane)?));
             }
+        }
+        let alike = |a: &Value, b: &Value| (a.rows, a.columns) == (b.rows, b.columns);
+        if let Some(a) = self.in_plane(a).filter(|a| alike(a, b)) {
+            return Ok((a, b.clone()));
+        }
+        if let Some(b) = self.in_plane(b).filter(|b| alike(a, b)) {
+            return Ok((a.clone(), b));
         }
         // A lone 0 stands for whatever is zero, and a row for a column where only one of them is written out.
         if a.is_scalar() && a.is_zero() {
@@ -260,6 +274,34 @@ impl System {
 }
 
 impl System {
+    /// What a matrix or a column on axes is in the plane of columns of two: a matrix leaves that plane to itself, and where no
+    /// sentence says which plane that is, it is the one across which a column has nothing.
+    fn in_plane(&self, value: &Value) -> Option<Value> {
+        let axes = self.axis_pair.map_or([0, 1], |pair| pair.axes);
+        let across = 3 - axes[0] - axes[1];
+        let entry = |row: usize, column: usize| &value.entries[row * value.columns + column];
+        let zero = |&axis: &usize| entry(axis, across).is_zero() && entry(across, axis).is_zero();
+        let itself = value.basis.contains(&Basis::Itself);
+        match (value.rows, value.columns, value.basis[0]) {
+            (3, 3, _) if !itself && axes.iter().all(zero) => {
+                let pairs = axes
+                    .iter()
+                    .flat_map(|&row| axes.map(|column| (row, column)));
+                let entries = pairs.map(|(row, column)| entry(row, column).clone());
+                Some(Value::written(2, 2, entries.collect()))
+            }
+            (3, 1, Basis::On(frame)) => {
+                let within = match self.axis_pair {
+                    Some(pair) => pair.frame == frame,
+                    None => entry(across, 0).is_zero(),
+                };
+                let entries = axes.iter().map(|&row| entry(row, 0).clone());
+                within.then(|| Value::written(2, 1, entries.collect()))
+            }
+            _ => None,
+        }
+    }
+
     /// The components of a vector on two axes of a frame.
     pub(super) fn on_two_axes(
         &mut self,

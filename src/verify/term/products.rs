@@ -1,7 +1,7 @@
 //! Products: what stands side by side binds first, then crosses, then dots.
 
 use crate::algebra::Place;
-use crate::notation::ast::{Factor, Kind, Node, Operator as Sign};
+use crate::notation::ast::{Bracket, Factor, Kind, Node, Operator as Sign};
 use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
@@ -133,7 +133,7 @@ impl Lowering<'_> {
         if let Some(raised) = self.raised_call(run) {
             return Some((2, self.value(&raised)));
         }
-        if let Some(found) = self.phrase(run) {
+        if let Some(found) = self.phrase(run).or_else(|| self.rate_of_phrase(run)) {
             return Some(found);
         }
         if let Some(matrix) = self.matrix_of_angle(run) {
@@ -319,6 +319,35 @@ impl Lowering<'_> {
                 .join(" ");
             Some((length, self.meaning_of(&whole, Some(&whole), 1)?))
         })
+    }
+
+    /// `\dot R(\psi)`, where `R(\psi)` has a meaning as a whole.
+    fn rate_of_phrase(&mut self, run: &[&Node]) -> Option<(usize, Valued)> {
+        let [rate, argument, ..] = run else {
+            return None;
+        };
+        let Kind::TimeDerivative {
+            operand,
+            order,
+            style,
+            frame,
+        } = &rate.kind
+        else {
+            return None;
+        };
+        let Kind::Group(Bracket::Round, inner) = &argument.kind else {
+            return None;
+        };
+        if !self.letters.has_wholes() {
+            return None;
+        }
+        let call = Node {
+            kind: Kind::Call(operand.clone(), vec![(**inner).clone()]),
+            span: rate.span,
+        };
+        let value = self.meaning_of(&spelled(&call), Some(&loosely(&call)), 1)?;
+        let rate = value.and_then(|value| self.rate_of(&value, *order, *style, frame.as_ref()));
+        Some((2, rate))
     }
 
     /// Two values with a sign between them.
