@@ -1,11 +1,11 @@
 //! Tries the changes of a false line by the facts in force where it stands, until one of them makes it provable.
 
-use crate::notation::ast::{Kind, Line, Node};
-use crate::notation::document::{Document, Formula, Item, Row};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::document::{Document, Format, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::Diagnosis;
 use crate::verify::correction::edit::{Edit, edited};
-use crate::verify::correction::slips::slips;
+use crate::verify::correction::slips::{OTHER_LETTER, Slip, other_letters, slips};
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::verdicts::Answer;
 use std::collections::{BTreeSet, HashMap};
@@ -49,11 +49,15 @@ fn correction(
 ) -> Option<Diagnosis> {
     let cost = LEAST_COST + terms(judged);
     let document = judge.document;
-    let letters = letters(document, line);
-    let edits = slips(&document.source, line, &letters);
+    let slips = slips(&document.source, line).into_iter();
+    let (likelier, rest): (Vec<Slip>, Vec<Slip>) =
+        slips.partition(|slip| slip.edit.cost < OTHER_LETTER);
+    let others = || other_letters(&document.source, line, &letters(document, line));
+    let others = std::iter::once_with(others).flatten();
+    let mut slips = likelier.into_iter().chain(others).chain(rest);
     let before = judge.stand_at(&judged.at);
     let mut tried = BTreeSet::new();
-    let found = edits.into_iter().find_map(|edit| {
+    let found = slips.find_map(|Slip { edit, symbol }| {
         if tried.len() == MOST_TRIED || *left < cost {
             return None;
         }
@@ -62,11 +66,25 @@ fn correction(
         if new {
             *left -= cost;
         }
-        (new && !says_nothing(&text) && judge.follows_as(&text, judged.head, line))
-            .then(|| diagnosis(edit, &text))
+        let holds = new
+            && !says_nothing(&text)
+            && may_hold(judge, line, &edit, symbol.as_ref())
+            && judge.follows_as(&text, judged.head, line);
+        holds.then(|| diagnosis(edit, &text))
     });
     judge.stand_at(&before);
     found
+}
+
+/// Whether a changed line may hold. With another symbol in its tree that is told without reading it anew.
+fn may_hold(judge: &mut Judge<'_>, line: &Line, edit: &Edit, symbol: Option<&Symbol>) -> bool {
+    match symbol {
+        // In plain text what touches may be one word.
+        Some(symbol) if judge.document.format != Format::Text && !line.continues => {
+            judge.may_follow_with(line, edit.span, symbol)
+        }
+        _ => true,
+    }
 }
 
 /// How many terms a line has when its products are multiplied out.
@@ -103,13 +121,15 @@ fn says_nothing(text: &str) -> bool {
     sides.windows(2).any(|pair| pair[0] == pair[1])
 }
 
-/// The symbols that a document writes, those of the line first.
-fn letters<'d>(document: &'d Document, line: &Line) -> Vec<&'d str> {
-    fn collect<'d>(document: &'d Document, node: &Node, found: &mut Vec<&'d str>) {
-        if matches!(&node.kind, Kind::Symbol(symbol) if !symbol.resultant) {
+/// The symbols that a document writes, with their writings, those of the line first.
+fn letters<'d>(document: &'d Document, line: &'d Line) -> Vec<(&'d str, &'d Symbol)> {
+    fn collect<'d>(document: &'d Document, node: &'d Node, found: &mut Vec<(&'d str, &'d Symbol)>) {
+        if let Kind::Symbol(symbol) = &node.kind
+            && !symbol.resultant
+        {
             let text = document.source.slice(node.span).trim();
-            if !text.is_empty() && !found.contains(&text) {
-                found.push(text);
+            if !text.is_empty() && !found.iter().any(|(known, _)| *known == text) {
+                found.push((text, symbol));
             }
         }
         let children = node.children();

@@ -8,32 +8,75 @@ use crate::verify::language::messages;
 /// Letters that are tried in the place of one.
 const MOST_LETTERS: usize = 40;
 
-/// All single changes to a line, the likeliest first. `letters` are the symbols that its document writes.
-pub(super) fn slips(source: &Source, line: &Line, letters: &[&str]) -> Vec<Edit> {
+/// How unlikely it is that another letter should stand somewhere.
+pub(super) const OTHER_LETTER: u32 = 26;
+
+/// A change that undoes a slip.
+pub(super) struct Slip {
+    pub(super) edit: Edit,
+    /// The symbol that then stands in the place of another, where nothing else changes.
+    pub(super) symbol: Option<Symbol>,
+}
+
+/// All single changes to a line but for other letters, the likeliest first.
+pub(super) fn slips(source: &Source, line: &Line) -> Vec<Slip> {
     let written = source.slice(line.span);
     let mut slips = Slips {
         source,
-        letters,
         unicode: !written.is_ascii() && !written.contains('\\'),
-        edits: vec![],
+        found: vec![],
     };
     for (place, side) in line.sides.iter().enumerate() {
         slips.side(side, place + 1 == line.sides.len());
         slips.node(side);
     }
-    let inside = |edit: &Edit| line.span.start <= edit.span.start && edit.span.end <= line.span.end;
-    let mut edits = slips.edits;
-    edits.retain(inside);
-    edits.sort_by_key(|edit| (edit.cost, edit.span));
-    edits
+    in_order(line, slips.found)
+}
+
+/// Every symbol of a line changed into others, which are given with their writings.
+pub(super) fn other_letters(
+    source: &Source,
+    line: &Line,
+    letters: &[(&str, &Symbol)],
+) -> Vec<Slip> {
+    let mut found = vec![];
+    let mut open: Vec<&Node> = line.sides.iter().rev().collect();
+    while let Some(node) = open.pop() {
+        let from = open.len();
+        open.extend(node.children());
+        open[from..].reverse();
+        let text = source.slice(node.span).trim();
+        if !matches!(&node.kind, Kind::Symbol(symbol) if !symbol.resultant) || text.is_empty() {
+            continue;
+        }
+        let others = letters.iter().filter(|(other, _)| *other != text);
+        found.extend(others.take(MOST_LETTERS).map(|(other, symbol)| Slip {
+            edit: Edit {
+                span: node.span,
+                text: (*other).to_owned(),
+                kind: "symbol",
+                message: messages::should_be(text, other),
+                cost: OTHER_LETTER,
+            },
+            symbol: Some((*symbol).clone()),
+        }));
+    }
+    in_order(line, found)
+}
+
+/// The changes within a line, the likeliest first.
+fn in_order(line: &Line, mut found: Vec<Slip>) -> Vec<Slip> {
+    let inside = |span: Span| line.span.start <= span.start && span.end <= line.span.end;
+    found.retain(|slip| inside(slip.edit.span));
+    found.sort_by_key(|slip| (slip.edit.cost, slip.edit.span));
+    found
 }
 
 struct Slips<'a> {
     source: &'a Source,
-    letters: &'a [&'a str],
     /// Whether the line is written in Unicode and not in LaTeX.
     unicode: bool,
-    edits: Vec<Edit>,
+    found: Vec<Slip>,
 }
 
 impl<'a> Slips<'a> {
@@ -45,12 +88,16 @@ impl<'a> Slips<'a> {
         cost: u32,
         message: impl Into<String>,
     ) {
-        self.edits.push(Edit {
-            span,
-            text: text.into(),
-            kind,
-            message: message.into(),
-            cost,
+        let (text, message) = (text.into(), message.into());
+        self.found.push(Slip {
+            edit: Edit {
+                span,
+                text,
+                kind,
+                message,
+                cost,
+            },
+            symbol: None,
         });
     }
 
@@ -187,15 +234,12 @@ impl<'a> Slips<'a> {
             messages::TRANSPOSE_MISSING,
         );
         for index in &symbol.subscripts {
-            self.index(node, text, index);
-        }
-        if !symbol.resultant {
-            self.other_letters(node, text.trim());
+            self.index(node, text, symbol, index);
         }
     }
 
     /// Another axis for each letter of an index.
-    fn index(&mut self, node: &Node, text: &str, index: &str) {
+    fn index(&mut self, node: &Node, text: &str, symbol: &Symbol, index: &str) {
         let characters: Vec<char> = index.chars().collect();
         if characters.len() > 2 {
             return;
@@ -206,18 +250,18 @@ impl<'a> Slips<'a> {
                 new[place] = other;
                 let new: String = new.into_iter().collect();
                 if let Some(text) = replaced_index(text, index, &new).filter(|_| other != c) {
-                    let message = messages::should_be(index, &new);
-                    self.push(node.span, text, "index", 12, message);
+                    self.found.push(Slip {
+                        edit: Edit {
+                            span: node.span,
+                            text,
+                            kind: "index",
+                            message: messages::should_be(index, &new),
+                            cost: 12,
+                        },
+                        symbol: with_index(symbol, new),
+                    });
                 }
             }
-        }
-    }
-
-    fn other_letters(&mut self, node: &Node, text: &str) {
-        let others = self.letters.iter().filter(|other| **other != text);
-        for other in others.take(MOST_LETTERS) {
-            let message = messages::should_be(text, other);
-            self.push(node.span, *other, "symbol", 26, message);
         }
     }
 
@@ -287,4 +331,12 @@ impl<'a> Slips<'a> {
             self.push(node.span, "", "factor", 15, messages::EXTRA_HALF);
         }
     }
+}
+
+/// A symbol that has one index, with another.
+fn with_index(symbol: &Symbol, index: String) -> Option<Symbol> {
+    (symbol.subscripts.len() == 1).then(|| Symbol {
+        subscripts: vec![index],
+        ..symbol.clone()
+    })
 }

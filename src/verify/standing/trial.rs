@@ -1,6 +1,6 @@
 //! A line that does not stand in the document, tried at a place of it.
 
-use crate::notation::ast::{Line, Relation};
+use crate::notation::ast::{Kind, Line, Node, Relation, Symbol};
 use crate::notation::document::Row;
 use crate::notation::reread;
 use crate::source::{Source, Span};
@@ -36,11 +36,29 @@ impl Judge<'_> {
         if new.continues || new.relations.len() != line.relations.len() {
             return false;
         }
-        let links = Chain::default().links(&without_number(new));
         self.written.trial = Some(Source::new("", text));
-        let follows = !links.is_empty() && links.iter().all(|link| self.follows(link));
+        let follows = self.all_follow(new);
         self.written.trial = None;
         follows
+    }
+
+    /// Whether a line follows with another symbol in the place of one, or that symbol can't be put there alone.
+    pub(crate) fn may_follow_with(&mut self, line: &Line, place: Span, symbol: &Symbol) -> bool {
+        let mut changed = line.clone();
+        let mut put = changed
+            .sides
+            .iter_mut()
+            .map(|side| put(side, place, symbol));
+        // All of them: a macro may write one letter in several places.
+        match put.try_fold(false, |any, put| Some(any | put?)) {
+            Some(true) => self.all_follow(&changed),
+            _ => true,
+        }
+    }
+
+    fn all_follow(&mut self, line: &Line) -> bool {
+        let links = Chain::default().links(&without_number(line));
+        !links.is_empty() && links.iter().all(|link| self.follows(link))
     }
 
     /// Whether a link is entailed, all its letters are known, and it is not that both sides vanish.
@@ -76,4 +94,19 @@ impl Judge<'_> {
                 normal.is_ok_and(|normal| normal.is_zero())
             })
     }
+}
+
+/// Puts a symbol into the place of one, and says whether there is one; `None` where it is the head of a call, which with
+/// another letter may be a product.
+fn put(node: &mut Node, place: Span, symbol: &Symbol) -> Option<bool> {
+    match &mut node.kind {
+        Kind::Symbol(own) if node.span == place => {
+            own.clone_from(symbol);
+            return Some(true);
+        }
+        Kind::Call(head, _) if head.span == place => return None,
+        _ => {}
+    }
+    let mut children = node.children_mut().into_iter();
+    children.try_fold(false, |any, child| Some(any | put(child, place, symbol)?))
 }
