@@ -1,6 +1,6 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
-use crate::notation::ast::Symbol;
+use crate::notation::ast::{Factor, Kind, Node, Shape as Tree, Symbol};
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
 use crate::verify::term::letters::{Letters, Meaning};
@@ -11,9 +11,12 @@ use foldhash::HashMap;
 use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
 
-/// The value of a symbol, and how it was found.
+/// No more products are kept; then all of them are forgotten.
+const MOST_PRODUCTS: usize = 1_000;
+
+/// The value of a symbol or of a product, and how it was found.
 #[derive(Clone, Debug)]
-pub(super) struct KnownSymbol {
+struct KnownValue {
     value: Value,
     frames: BTreeSet<FrameId>,
     /// Whether it hangs on what else the document writes.
@@ -29,11 +32,15 @@ pub(crate) struct Known {
     values: HashMap<String, Vec<(Quantity, Valued)>>,
     /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
     /// axes they are.
-    symbols: HashMap<Symbol, KnownSymbol>,
+    symbols: HashMap<Symbol, KnownValue>,
+    /// The same of products of such symbols that are scalars, by their trees.
+    products: HashMap<Vec<u8>, KnownValue>,
     /// Values at other instants than the present one, and integrals from there.
     pub(crate) kept: Vec<Kept>,
     /// How many dimensions space has where they were worked out.
     dimensions: usize,
+    /// Whether every writing means the same wherever it stands.
+    is_uniform: bool,
 }
 
 impl Known {
@@ -46,10 +53,11 @@ impl Known {
     }
 
     /// In a space of another number of dimensions letters have other values.
-    pub(super) fn enter(&mut self, dimensions: usize) {
+    pub(super) fn enter(&mut self, dimensions: usize, letters: &Letters) {
+        self.is_uniform = letters.is_uniform();
         if self.dimensions != dimensions {
             self.values.clear();
-            self.symbols.clear();
+            self.forget_symbols();
             self.dimensions = dimensions;
         }
     }
@@ -64,11 +72,29 @@ impl Known {
     /// Forgets the values of symbols, as by what a document writes they may mean something else.
     pub(crate) fn forget_symbols(&mut self) {
         self.symbols.clear();
+        self.products.clear();
+    }
+
+    /// Whether something is a number, or a symbol or its rate that was found to be a scalar.
+    fn is_scalar(&self, node: &Node) -> bool {
+        match &node.kind {
+            Kind::Number(_) => true,
+            Kind::Symbol(symbol) => {
+                let known = self.symbols.get(symbol);
+                known.is_some_and(|known| known.value.is_scalar())
+            }
+            Kind::TimeDerivative {
+                operand,
+                frame: None,
+                ..
+            } => matches!(operand.kind, Kind::Symbol(_)) && self.is_scalar(operand),
+            _ => false,
+        }
     }
 
     /// Works out all letters that stand for quantities.
     pub(crate) fn work_out(&mut self, letters: &Letters, system: &mut System) {
-        self.enter(system.dimensions());
+        self.enter(system.dimensions(), letters);
         for letter in &letters.letters {
             if let Meaning::Quantity(quantity) = &letter.meaning
                 && self.value(&letter.latex, quantity).is_none()
@@ -86,6 +112,14 @@ impl Known {
 }
 
 impl Lowering<'_> {
+    /// Whether every writing has the same value wherever it stands.
+    fn means_the_same(&self) -> bool {
+        self.known.is_uniform
+            && self.present == Present::Untold
+            && self.axes.is_empty()
+            && self.occurrences.besides.is_empty()
+    }
+
     /// The value of a symbol; where it is the same on every line and no letter is new, it is worked out once.
     pub(super) fn symbol(&mut self, symbol: &Symbol) -> Valued {
         if self.present != Present::Untold {
@@ -96,34 +130,72 @@ impl Lowering<'_> {
                 false => Ok(value),
             };
         }
-        let told_apart = !self.axes.is_empty() || !self.occurrences.besides.is_empty();
-        if told_apart || !self.letters.is_uniform() {
+        if !self.means_the_same() {
             return self.new_symbol(symbol);
         }
-        let written = &self.letters.written;
         if let Some(known) = self.known.symbols.get(symbol) {
+            let value = known.value.clone();
             self.frames_seen.extend(&known.frames);
-            if known.by_written {
-                written.note_asked();
-            }
-            return Ok(known.value.clone());
+            self.note(known.by_written);
+            return Ok(value);
         }
+        let (value, known) = self.by_itself(|own| own.new_symbol(symbol));
+        if let Some(known) = known {
+            self.known.symbols.insert(symbol.clone(), known);
+        }
+        value
+    }
+
+    /// The value of a product; one of scalars that are the same on every line is worked out once.
+    pub(super) fn product_of(&mut self, node: &Node, factors: &[Factor]) -> Valued {
+        let scalars = || factors.iter().all(|f| self.known.is_scalar(&f.node));
+        let mut tree = Tree::default();
+        if !self.means_the_same() || !scalars() || tree.tree(node).is_none() {
+            return self.product(factors);
+        }
+        let tree = tree.into_bytes();
+        if let Some(known) = self.known.products.get(&tree) {
+            let value = known.value.clone();
+            self.frames_seen.extend(&known.frames);
+            self.note(known.by_written);
+            return Ok(value);
+        }
+        let (value, known) = self.by_itself(|own| own.product(factors));
+        if let Some(known) = known {
+            let products = &mut self.known.products;
+            if products.len() >= MOST_PRODUCTS {
+                products.clear();
+            }
+            products.insert(tree, known);
+        }
+        value
+    }
+
+    /// What is known of something hangs on what else the document writes.
+    fn note(&self, by_written: bool) {
+        if by_written {
+            self.letters.written.note_asked();
+        }
+    }
+
+    /// What something is worth whatever stands before it, and how that is kept if no letter in it is new.
+    fn by_itself(
+        &mut self,
+        value: impl FnOnce(&mut Self) -> Valued,
+    ) -> (Valued, Option<KnownValue>) {
+        let written = &self.letters.written;
         let asked = written.times_asked();
         let unknown = std::mem::take(&mut self.unknown);
         let frames = std::mem::take(&mut self.frames_seen);
-        let value = self.new_symbol(symbol);
-        if let Ok(value) = &value
-            && self.unknown.is_empty()
-        {
-            let known = KnownSymbol {
-                value: value.clone(),
-                frames: self.frames_seen.clone(),
-                by_written: written.times_asked() != asked,
-            };
-            self.known.symbols.insert(symbol.clone(), known);
-        }
+        let value = value(self);
+        let known = value.as_ref().ok().filter(|_| self.unknown.is_empty());
+        let known = known.map(|value| KnownValue {
+            value: value.clone(),
+            frames: self.frames_seen.clone(),
+            by_written: written.times_asked() != asked,
+        });
         self.unknown.extend(unknown);
         self.frames_seen.extend(frames);
-        value
+        (value, known)
     }
 }

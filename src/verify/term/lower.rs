@@ -56,7 +56,7 @@ impl<'a> Lowering<'a> {
         known: &'a mut Known,
     ) -> Self {
         system.set_dimensions(letters.dimensions_at(at));
-        known.enter(system.dimensions());
+        known.enter(system.dimensions(), letters);
         Self {
             system,
             letters,
@@ -157,7 +157,7 @@ impl<'a> Lowering<'a> {
             Kind::Symbol(symbol) => self.symbol(symbol),
             Kind::Negate(inner) => Ok(self.value(inner)?.negated()),
             Kind::Sum(terms) => self.sum(terms),
-            Kind::Product(factors) => self.product(factors),
+            Kind::Product(factors) => self.product_of(node, factors),
             Kind::Quotient(top, bottom) => {
                 let (top, bottom) = (self.value(top)?, self.value(bottom)?);
                 self.system.quotient(&top, &bottom)
