@@ -340,7 +340,7 @@ impl<'a> Lexer<'a> {
         let ended = !behind[usize::from(axis)..].starts_with(name);
         let marked = !self.text[..self.at].ends_with(|c: char| c.is_ascii());
         let vector = own.is_some_and(|c| "ωΩτhHLMNwTvaFr".contains(unicode::decomposed(c).0));
-        if self.letters == Letters::Single || !axis || !ended || !marked || !vector {
+        if !axis || !ended || !marked || !vector {
             return false;
         }
         let start = self.at;
@@ -353,11 +353,11 @@ impl<'a> Lexer<'a> {
 
     /// In plain text digits close behind a letter are its index: `ω1`, `m2`; behind the d of `d2θ/dt2` its order.
     fn number_of_letter(&mut self, start: usize) {
-        if self.axis_of_letter() {
+        if self.letters == Letters::Single || self.axis_of_letter() {
             return;
         }
         let length = self.rest().bytes().take_while(u8::is_ascii_digit).count();
-        if self.letters == Letters::Single || !(1..=2).contains(&length) {
+        if !(1..=2).contains(&length) {
             return;
         }
         let text = &self.text[..self.at];

@@ -206,15 +206,15 @@ impl<'t, 'a> Scan<'t, 'a> {
 
     /// A sign of relation shows that the braces around it hold a line.
     fn relation(&mut self, kind: Lexeme<'_>) {
+        if self.awaited > 0 || self.groups.is_empty() {
+            return;
+        }
         let relates = match kind {
             Lexeme::Char('=' | '<' | '>') => true,
             Lexeme::Command(name) => is_relation(name),
             _ => false,
         };
-        if relates
-            && self.awaited == 0
-            && let Some(group) = self.groups.last_mut()
-        {
+        if relates && let Some(group) = self.groups.last_mut() {
             group.idle = true;
         }
     }
@@ -247,12 +247,12 @@ pub(super) fn is_sign(kind: Lexeme<'_>) -> bool {
 /// How many groups behind a command are its own. What is not known may have any number.
 fn arguments(name: &str) -> u8 {
     match name {
+        _ if letter::greek(name).is_some() => 0,
         "frac" | "dfrac" | "tfrac" | "cfrac" | "sfrac" | "nicefrac" | "flatfrac" | "dv" | "pdv"
         | "odv" | "od" | "td" | "diff" | "pd" | "pdiff" | "diffp" | "derivative" | "stackrel"
         | "overset" | "underset" | "binom" => 2,
         "quad" | "qquad" | "displaystyle" => 0,
         _ if is_operator(name) => 0,
-        _ if letter::greek(name).is_some() => 0,
         _ if letter::takes_argument(name) || super::function::named(name).is_some() => 1,
         "SI" | "qty" => 2,
         "sqrt" | "underbrace" | "overbrace" | "unit" | "si" | "num" | "ang" | "dd" => 1,
