@@ -33,6 +33,7 @@
 //! worth), `rules` (what a careful marker does), `mark`.
 
 mod key;
+mod lookalike;
 mod mark;
 mod matching;
 mod meaning;

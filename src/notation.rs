@@ -6,6 +6,7 @@
 //!
 #![doc = include_str!("notation/manual.md")]
 
+mod alphabets;
 pub mod ast;
 mod delimiters;
 pub mod document;
@@ -28,6 +29,7 @@ mod told_marks;
 mod triads;
 mod unicode;
 
+pub use alphabets::lookalike;
 pub use macros::Macros;
 pub use sentences::sentences;
 

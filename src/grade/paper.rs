@@ -2,6 +2,7 @@
 
 use crate::diagnostic::Severity;
 use crate::grade::key::Key;
+use crate::grade::lookalike::lookalike;
 use crate::grade::meaning::Meaning;
 use crate::grade::result::Place;
 use crate::grade::size;
@@ -141,6 +142,7 @@ impl<'k> Paper<'k> {
             if !document.front_matter.sentences.is_empty() && key.is_declared {
                 troubles.push("it declares meanings of its own, which were left out".to_owned());
             }
+            troubles.extend(lookalike(&document));
             give_no_orders(&mut document, &key.settings);
             documents.push(document);
         }

@@ -42,6 +42,20 @@ fn a_hostile_text_ends_soon_with_a_reason() {
     }
 }
 
+#[test]
+fn what_hides_in_a_formula_is_said() {
+    for (text, why) in [
+        ("$$M_x = \u{202e}\\omega_x$$", "direction of writing"),
+        ("$$M_\u{445} = \\dot L_x$$", "U+0445"),
+        ("$$\u{39c}_x = \\dot L_x$$", "U+039C"),
+    ] {
+        let graded = marked(text);
+        let queue = graded.queue.unwrap_or_default();
+        assert!(queue.contains(why), "{text}: {queue}");
+        assert_eq!(graded.marks.to_string(), "0");
+    }
+}
+
 /// Peak memory of the command, in megabytes, and its seconds, for one submission.
 #[cfg(target_os = "linux")]
 fn cost(name: &str, text: &[u8]) -> (u64, f64) {
