@@ -234,3 +234,35 @@ fn names_that_systems_keep_and_names_without_end_get_files_of_their_own() {
         "{names:?}"
     );
 }
+
+#[test]
+fn ids_that_look_alike_wait_for_a_person() {
+    let good = good();
+    let files: [(&str, &[u8]); 4] = [
+        ("ada.md", &good),
+        ("\u{430}da.md", &good),
+        ("ben.md", &good),
+        ("BEN.tex", b"nothing"),
+    ];
+    let results = marked(&files, &[]);
+    assert!(queue(&results, "\u{430}da").contains("U+0430"), "{results}");
+    for id in ["ben", "BEN"] {
+        assert!(queue(&results, id).contains("in capitals alone"), "{id}");
+    }
+    assert_eq!(queue(&results, "ada"), "");
+    assert_eq!(of(&results, "ada")["marks"], 8.0);
+}
+
+#[test]
+fn an_accent_that_a_system_writes_in_another_way_is_the_same_student() {
+    let good = good();
+    let folder = class(&[("Jose\u{301}.md", &good)]);
+    let roster = folder.path().join("roster.csv");
+    fs::write(&roster, "id\nJos\u{e9}\n").expect("written");
+    let roster = roster.to_string_lossy().into_owned();
+    let (code, said) = grade(folder.path(), &["--roster", &roster]);
+    assert_eq!(code, 0, "{said}");
+    let results = parsed(folder.path());
+    assert_eq!(of(&results, "Jos\u{e9}")["marks"], 8.0);
+    assert_eq!(results["missing"], serde_json::json!([]));
+}

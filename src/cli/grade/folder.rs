@@ -52,6 +52,7 @@ pub(super) fn pending(path: &Path, naming: &Naming) -> io::Result<Vec<Pending>> 
         true => found.in_folder(path)?,
         false => found.in_archive(path)?,
     }
+    found.tell_apart();
     let students = found.students.into_values().map(|mut student| {
         student.names = vec![];
         student.pieces.shrink_to_fit();
@@ -103,6 +104,19 @@ impl Found<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Sends to a person the students whose ids differ in capitals alone: to some systems and platforms they are one.
+    fn tell_apart(&mut self) {
+        let mut alike: BTreeMap<String, usize> = BTreeMap::new();
+        for id in self.students.keys() {
+            *alike.entry(id.to_lowercase()).or_default() += 1;
+        }
+        for (id, student) in &mut self.students {
+            if alike.get(&id.to_lowercase()).is_some_and(|&ids| ids > 1) {
+                student.complain("another id differs from this one in capitals alone".to_owned());
+            }
+        }
     }
 
     /// The student for whom a name stands.

@@ -1,8 +1,10 @@
 //! Names: from what is handed in to ids, and from ids to files.
 
 use crate::cli::grade::journal::digest;
+use crate::notation::lookalike;
 use regex_lite::{Captures, Regex};
 use std::path::Path;
+use unicode_normalization::UnicodeNormalization;
 
 /// The longest id.
 const LONGEST_ID: usize = 120;
@@ -26,9 +28,10 @@ impl Naming {
 
     /// The id for a name, and what is wrong with the name.
     pub(super) fn id(&self, name: &str, is_folder: bool) -> (String, Option<String>) {
-        let stem = match (is_folder, Path::new(name).file_stem()) {
+        let name = composed(name);
+        let stem = match (is_folder, Path::new(&name).file_stem()) {
             (false, Some(stem)) => stem.to_string_lossy().into_owned(),
-            _ => name.to_owned(),
+            _ => name,
         };
         let Some(pattern) = &self.pattern else {
             return plain(&stem);
@@ -56,8 +59,20 @@ fn group<'h>(found: &Captures<'h>) -> Option<&'h str> {
 
 fn plain(name: &str) -> (String, Option<String>) {
     let id = escaped(name);
-    let why = (id != name).then(|| "its name has characters that an id can't have".to_owned());
+    let why = match lookalike(name) {
+        _ if id != name => Some("its name has characters that an id can't have".to_owned()),
+        Some((letter, latin)) => Some(format!(
+            "its name has the letter {letter} (U+{:04X}), which looks like {latin} and is another",
+            u32::from(letter)
+        )),
+        None => None,
+    };
     (id, why)
+}
+
+/// A name in which each letter is one with its accents: systems write `é` in two ways.
+pub(super) fn composed(name: &str) -> String {
+    name.nfc().collect()
 }
 
 /// An id without characters that hide or move others, and without those that paths are made of.
@@ -136,6 +151,21 @@ mod tests {
             );
             assert!(!stem.starts_with('.'), "{stem}");
         }
+    }
+
+    #[test]
+    fn an_accent_makes_no_other_student() {
+        let naming = Naming::default();
+        for name in ["Jos\u{e9}.md", "Jose\u{301}.md"] {
+            assert_eq!(naming.id(name, false), ("Jos\u{e9}".to_owned(), None));
+        }
+    }
+
+    #[test]
+    fn a_letter_that_looks_like_another_is_said() {
+        let (id, why) = Naming::default().id("\u{430}da.md", false);
+        assert_eq!(id, "\u{430}da");
+        assert!(why.is_some_and(|why| why.contains("U+0430")));
     }
 
     #[test]

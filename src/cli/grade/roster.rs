@@ -1,6 +1,7 @@
 //! The roster: who is expected to hand in.
 
 use crate::cli::grade::folder::Pending;
+use crate::cli::grade::names::composed;
 use crate::cli::input;
 use crate::report::grade::table;
 use std::collections::BTreeSet;
@@ -45,7 +46,7 @@ impl Roster {
             .skip(usize::from(column.is_some()))
             .filter_map(|row| row.values(&text).get(column.unwrap_or(0)).cloned());
         let ids: BTreeSet<String> = ids
-            .map(|id| id.trim().to_owned())
+            .map(|id| composed(id.trim()))
             .filter(|id| !id.is_empty())
             .collect();
         match ids.is_empty() {
