@@ -7,7 +7,7 @@ use maud::{DOCTYPE, Markup, html};
 
 mod formula;
 
-pub(super) use formula::formula;
+pub(super) use formula::{formula, is_drawn};
 
 /// How pages look: narrow screens, paper, light and dark.
 const STYLE: &str = "

@@ -2,7 +2,7 @@
 
 use crate::grade::{Graded, Key, Line};
 use crate::report::grade::page::in_words;
-use crate::report::html::{sentence, verdict};
+use crate::report::html::{is_drawn, sentence, verdict};
 
 /// The page of a student, of what is told.
 pub fn student(key: &Key, told: &Graded) -> String {
@@ -81,10 +81,12 @@ fn line(line: &Line) -> String {
     text
 }
 
-/// A formula in a fence that nothing in it closes.
+/// A formula in a fence that nothing in it closes. One that is not drawn on the page, as it may have a link in it, is not
+/// drawn by platforms either.
 fn formula(source: &str) -> String {
     let fence = "`".repeat((longest_run(source) + 1).max(3));
-    format!("{fence}math\n{}\n{fence}\n", source.trim())
+    let language = if is_drawn(source) { "math" } else { "" };
+    format!("{fence}{language}\n{}\n{fence}\n", source.trim())
 }
 
 /// A symbol as it is written.
@@ -141,6 +143,9 @@ mod tests {
             "&lt;script&gt; \\[a\\](javascript:b) \\`c\\`"
         );
         let fenced = formula("a\n```\n<script>");
-        assert!(fenced.starts_with("````math\n") && fenced.ends_with("\n````\n"));
+        assert!(fenced.starts_with("````") && fenced.ends_with("\n````\n"));
+        assert_eq!(formula("L_x"), "```math\nL_x\n```\n");
+        let link = "\\href{javascript:alert(1)}{x}";
+        assert_eq!(formula(link), format!("```\n{link}\n```\n"));
     }
 }

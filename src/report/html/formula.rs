@@ -82,12 +82,19 @@ pub(super) fn inline(source: &str) -> Markup {
     drawn_as(source, DisplayMode::Inline)
 }
 
+/// Whether a formula is drawn in a line of its own, and not shown as it is written.
+pub(in crate::report) fn is_drawn(source: &str) -> bool {
+    drawn(bare(source), DisplayMode::Block).is_some()
+}
+
+/// A source without what parts it from its neighbours.
+fn bare(source: &str) -> &str {
+    let source = source.trim().trim_start_matches('&');
+    source.trim_end_matches("\\\\").trim()
+}
+
 fn drawn_as(source: &str, mode: DisplayMode) -> Markup {
-    let source = source
-        .trim()
-        .trim_start_matches('&')
-        .trim_end_matches("\\\\")
-        .trim();
+    let source = bare(source);
     match drawn(source, mode) {
         Some(drawn) => html! { (PreEscaped(drawn)) },
         None => html! { code { (source) } },
