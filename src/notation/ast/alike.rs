@@ -21,7 +21,7 @@ impl Shape {
         self.0.push(byte);
     }
 
-    fn text(&mut self, text: &str) {
+    pub(crate) fn text(&mut self, text: &str) {
         self.bytes(text.as_bytes());
     }
 

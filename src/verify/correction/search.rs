@@ -7,6 +7,7 @@ use crate::verify::Diagnosis;
 use crate::verify::correction::edit::{Edit, edited};
 use crate::verify::correction::slips::{OTHER_LETTER, Slip, other_letters, slips};
 use crate::verify::standing::judge::{Judge, Judged};
+use crate::verify::standing::recalled::Correction;
 use crate::verify::standing::verdicts::Answer;
 use std::collections::{BTreeSet, HashMap};
 
@@ -33,20 +34,60 @@ pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
     let each: Vec<&Line> = each.filter(short).take(MOST_LINES).collect();
     let (mut found, mut left) = (HashMap::new(), MOST_WORK);
     for line in each {
-        if let Some(diagnosis) = correction(judge, line, &refuted[&line.span], &mut left) {
-            found.insert(line.span, diagnosis);
-        }
+        let correction = recalled_or_found(judge, line, &refuted[&line.span], &mut left);
+        found.extend(correction.map(|diagnosis| (line.span, diagnosis)));
     }
     found
 }
 
-/// The likeliest single change that makes a line provable, as far as what is left allows to look for it.
-fn correction(
+/// What puts a line right, as it did in another document or found anew.
+fn recalled_or_found(
     judge: &mut Judge<'_>,
     line: &Line,
     judged: &Judged,
     left: &mut usize,
 ) -> Option<Diagnosis> {
+    let start = line.span.start;
+    let asked = judge.correction_of(line);
+    let known = asked.as_ref().and_then(|of| judge.recall_correction(of));
+    if let Some(known) = known.filter(|known| known.spent <= *left) {
+        *left -= known.spent;
+        let place = known.diagnosis.place;
+        return Some(Diagnosis {
+            place: place.map(|place| place.shifted(start as usize)),
+            ..known.diagnosis
+        });
+    }
+    let before = *left;
+    let (diagnosis, cost) = correction(judge, line, judged, left)?;
+    // Which other letters are tried hangs on the document.
+    if let Some(of) = asked.filter(|_| cost < OTHER_LETTER) {
+        let own = |at: u32| (at - start) as usize;
+        let place = diagnosis.place;
+        let kept = Diagnosis {
+            place: place.map(|place| Span::new(own(place.start), own(place.end))),
+            ..diagnosis.clone()
+        };
+        let spent = before - *left;
+        judge.keep_correction(
+            of,
+            Correction {
+                diagnosis: kept,
+                spent,
+            },
+        );
+    }
+    Some(diagnosis)
+}
+
+/// The likeliest single change that makes a line provable, as far as what is left allows to look for it, and how unlikely
+/// it is.
+fn correction(
+    judge: &mut Judge<'_>,
+    line: &Line,
+    judged: &Judged,
+    left: &mut usize,
+) -> Option<(Diagnosis, u32)> {
     let cost = LEAST_COST + terms(judged);
     let document = judge.document;
     let slips = slips(&document.source, line).into_iter();
@@ -70,7 +111,8 @@ fn correction(
             && !says_nothing(&text)
             && may_hold(judge, line, &edit, symbol.as_ref())
             && judge.follows_as(&text, judged.head, line);
-        holds.then(|| diagnosis(edit, &text))
+        let cost = edit.cost;
+        holds.then(|| (diagnosis(edit, &text), cost))
     });
     judge.stand_at(&before);
     found

@@ -4,7 +4,7 @@
 //! their own, so these are told apart; what a formula itself brings up is brought up again.
 
 use crate::algebra::{Fraction, Polynomial};
-use crate::notation::ast::Shape;
+use crate::notation::ast::{Line, Shape};
 use crate::verify::model::changes::Added;
 use crate::verify::model::system::System;
 use crate::verify::standing::chains::Link;
@@ -85,6 +85,17 @@ impl Formula {
         shape.number(beside);
         shape.tree(&link.left)?;
         shape.tree(&link.right)?;
+        Some(Self::Tree(shape.into_bytes()))
+    }
+
+    /// By the trees of a line, beside how it is written.
+    pub(crate) fn of_line(line: &Line, text: &str) -> Option<Self> {
+        let mut shape = Shape::default();
+        shape.text(text);
+        for (relation, _) in &line.relations {
+            shape.number(*relation as usize);
+        }
+        line.sides.iter().try_for_each(|side| shape.tree(side))?;
         Some(Self::Tree(shape.into_bytes()))
     }
 

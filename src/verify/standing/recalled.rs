@@ -1,7 +1,9 @@
 //! Links that other documents of the same reading had before.
 
 use crate::algebra::{Argument, Combination, Reason};
-use crate::notation::ast::Relation;
+use crate::notation::ast::{Line, Relation};
+use crate::notation::document::Format;
+use crate::verify::Diagnosis;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, Sides};
@@ -13,13 +15,26 @@ use crate::verify::term::letters::Reach;
 /// What links came to whose proofs and sides have more terms is not kept.
 const MOST_TERMS: usize = 1_000;
 
-/// What links came to, for documents that begin with the same facts.
+/// What links came to and what put lines right, for documents that begin with the same facts.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Links(Memory<Held>);
+pub(crate) struct Links(Memory<Held>, Memory<Correction>);
 
 /// The same, as one document uses it.
 #[derive(Debug)]
-pub(super) struct Recalled(Recall<Held>);
+pub(super) struct Recalled(Recall<Held>, Recall<Correction>);
+
+/// What puts a line right, with places counted from its first byte, and what it took to find that.
+#[derive(Clone, Debug)]
+pub(crate) struct Correction {
+    pub(crate) diagnosis: Diagnosis,
+    pub(crate) spent: usize,
+}
+
+/// How a correction is looked for, and how often it was asked before what else the document writes.
+pub(crate) struct AskedFor {
+    wording: Wording,
+    asked: usize,
+}
 
 impl Links {
     /// A memory for what is read so, if a link is worth the same on every line.
@@ -40,7 +55,8 @@ impl Links {
 
     /// For a document that is read so.
     pub(super) fn used_by(self, reading: &mut Reading) -> Recalled {
-        Recalled(Recall::new(self.0, &mut reading.system))
+        let held = Recall::new(self.0, &mut reading.system);
+        Recalled(held, Recall::new(self.1, &mut reading.system))
     }
 }
 
@@ -94,6 +110,38 @@ impl Judge<'_> {
         }
         let recalled = self.again.recalled.as_mut()?;
         recalled.0.wording(&self.reading.system, of)
+    }
+
+    /// How what puts a line right is looked for; `None` where the line does not tell it alone.
+    pub(crate) fn correction_of(&mut self, line: &Line) -> Option<AskedFor> {
+        let document = self.document;
+        let plain = document.macros.is_empty() && !document.macros.decimal_comma;
+        let tells_all = plain && document.format != Format::Text && !line.continues;
+        if !tells_all || self.facts.are_too_many || !self.reading.settled.is_empty() {
+            return None;
+        }
+        let of = Formula::of_line(line, document.source.slice(line.span))?;
+        let recalled = self.again.recalled.as_mut()?;
+        Some(AskedFor {
+            wording: recalled.1.wording(&self.reading.system, of)?,
+            asked: self.reading.letters.written.times_asked(),
+        })
+    }
+
+    /// What put the same line right in another document.
+    pub(crate) fn recall_correction(&mut self, of: &AskedFor) -> Option<Correction> {
+        let recalled = self.again.recalled.as_mut()?;
+        recalled.1.known(&mut self.reading.system, &of.wording)
+    }
+
+    /// Keeps what puts a line right, unless it hangs on what else the document writes.
+    pub(crate) fn keep_correction(&mut self, of: AskedFor, correction: Correction) {
+        let same = self.reading.letters.written.times_asked() == of.asked;
+        if let Some(recalled) = self.again.recalled.as_mut().filter(|_| same) {
+            recalled
+                .1
+                .keep(&self.reading.system, of.wording, correction);
+        }
     }
 
     fn recall(&mut self, wording: Option<&Wording>) -> Option<Held> {
