@@ -29,6 +29,7 @@ mod rolling;
 mod round_surfaces;
 mod shapes_and_wholes;
 mod signs_and_orders;
+mod single_edits;
 mod slopes;
 mod small_oscillations;
 mod sound;

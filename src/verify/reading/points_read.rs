@@ -9,7 +9,7 @@ use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::defined_as;
 use crate::verify::reading::names::{
-    MASS_CENTRE, UNIT_VECTOR, is_letter, is_marked_vector, name_of, node_of,
+    MASS_CENTRE, UNIT_VECTOR, is_letter, is_marked_vector, letter_of, name_of, node_of,
 };
 use crate::verify::reading::points_spoken::Spoken;
 use crate::verify::term::labels::rate_of;
@@ -291,7 +291,7 @@ impl Builder<'_> {
     }
 
     /// "by r", "at the distance a along z", "on the third axis of B at the distance a". A distance of which no rate is written
-    /// is constant, unless it is that of what moves on its own.
+    /// is constant, unless it is that of what moves on its own; in one that a formula tells, each letter is by itself.
     pub(super) fn way_said(
         &mut self,
         slots: &[(Slot, Term)],
@@ -310,8 +310,12 @@ impl Builder<'_> {
         };
         let distance = slot(slots, Slot::At)?;
         let changes = moves_on_its_own || self.has_rate(distance);
+        let compound = letter_of(distance).filter(|formula| !is_letter(formula));
+        if let Some(formula) = compound.filter(|_| !changes) {
+            self.tell_letters_of_place(formula, declaration)?;
+        }
         let distance = self.scalar_term(distance, declaration)?;
-        if !changes {
+        if !changes && compound.is_none() {
             self.make_constant(&distance);
         }
         Some(along * distance)
@@ -319,13 +323,8 @@ impl Builder<'_> {
 
     /// Whether the document writes the rate of a letter, or a sentence sets it by a formula: then it may change.
     pub(super) fn has_rate(&self, distance: &Term) -> bool {
-        let formula = match distance {
-            Term::Formula(formula) => formula,
-            Term::Phrase(phrase) => match phrase.slot(Slot::Which) {
-                Some(Term::Formula(formula)) => formula,
-                _ => return false,
-            },
-            _ => return false,
+        let Some(formula) = letter_of(distance) else {
+            return false;
         };
         let letter = node_of(formula).map(spelled);
         let written = |letter: String| {
