@@ -261,13 +261,20 @@ impl Reading {
         own.peek().is_some() && !own.any(|line| line.reach.covers(at, 0))
     }
 
-    /// For which part of the document a line holds that was accepted at a place.
-    pub(crate) fn reach_of_line(&self, at: &At) -> Reach {
+    /// For which part of the document a line holds that was accepted at a place. What is assumed tells nothing of what
+    /// stands before, unless a sentence says where it holds.
+    pub(crate) fn reach_of_line(&self, at: &At, assumed: bool) -> Reach {
         if let Some((_, reach)) = self.held.iter().find(|(lines, _)| lines.covers(at, 0)) {
             return reach.clone();
         }
         // What is assumed under a premise of a part of the document ends with that part.
-        let mut reach = Reach::All;
+        let mut reach = match assumed {
+            true => Reach::From {
+                cell: at.cell,
+                line: at.line,
+            },
+            false => Reach::All,
+        };
         for premise in self.taken.iter().map(|&i| &self.premises[i].reach) {
             if *premise != Reach::All && !reach.holds(premise) {
                 reach = match reach {

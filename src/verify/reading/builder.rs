@@ -314,12 +314,11 @@ impl Builder<'_> {
 /// A place that a reach covers.
 pub(crate) fn place_in(reach: &Reach) -> At {
     match reach {
-        Reach::Lines { cell, first, .. } => At {
-            cell: *cell,
-            line: *first,
-            sections: vec![],
-        },
-        Reach::Occurrence { cell, line, .. } => At {
+        Reach::Lines {
+            cell, first: line, ..
+        }
+        | Reach::Occurrence { cell, line, .. }
+        | Reach::From { cell, line } => At {
             cell: *cell,
             line: *line,
             sections: vec![],

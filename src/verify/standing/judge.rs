@@ -287,7 +287,7 @@ impl<'a> Judge<'a> {
             for link in &links {
                 let held = self.hold(link);
                 if held.settles.is_some() {
-                    self.settle(&held, &source);
+                    self.settle(&held, &source, Role::Define);
                 }
             }
         }
@@ -386,7 +386,7 @@ impl<'a> Judge<'a> {
             verdict = Answer::Undecided;
         } else if worst == Answer::Accepted {
             for held in &held {
-                verdict = verdict.max(self.settle(held, &self.source()));
+                verdict = verdict.max(self.settle(held, &self.source(), purpose.role));
             }
         }
         self.note_if_not_taken_in(line, purpose, verdict, &held);

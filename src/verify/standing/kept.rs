@@ -121,7 +121,7 @@ impl Judge<'_> {
         if self.facts.extend(atoms, &equation, &source).is_err() {
             self.facts.miss(&source);
         }
-        let reach = self.reading.reach_of_line(&self.at);
+        let reach = self.reading.reach_of_line(&self.at, false);
         self.settled_taken.push(self.reading.settled.len());
         self.reading.settled.push(Premise {
             equation,

@@ -1,6 +1,7 @@
 //! What is in force at a place: declared premises, and what accepted lines say.
 
 use crate::algebra::Fraction;
+use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
 use crate::verify::model::atoms::fraction;
@@ -65,7 +66,7 @@ impl Judge<'_> {
     }
 
     /// Takes what an accepted line says into the facts.
-    pub(super) fn settle(&mut self, held: &Held, source: &Source) -> Answer {
+    pub(super) fn settle(&mut self, held: &Held, source: &Source, role: Role) -> Answer {
         let says_no_more = matches!(
             held.standing,
             Standing::Entailed | Standing::Open | Standing::Differs
@@ -105,7 +106,7 @@ impl Judge<'_> {
             }
             let reach = match held.standing {
                 Standing::Settles => Reach::All,
-                _ => self.reading.reach_of_line(&self.at),
+                _ => self.reading.reach_of_line(&self.at, role == Role::Assume),
             };
             self.settled_taken.push(self.reading.settled.len());
             self.reading.settled.push(Premise {

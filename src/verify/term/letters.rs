@@ -32,6 +32,11 @@ pub(crate) enum Reach {
         last: usize,
     },
     Cells(Vec<usize>),
+    /// A line and all behind it.
+    From {
+        cell: Option<usize>,
+        line: usize,
+    },
     Section(String),
     /// The n-th writing on a line.
     Occurrence {
@@ -53,6 +58,7 @@ impl Reach {
                 (cell.is_none() || *cell == at.cell) && (*first..=*last).contains(&at.line)
             }
             Self::Cells(cells) => at.cell.is_some_and(|cell| cells.contains(&cell)),
+            Self::From { cell, line } => (at.cell, at.line) >= (*cell, *line),
             Self::Section(title) => at.sections.iter().any(|s| s.trim() == title.trim()),
             Self::Occurrence {
                 number: n,
@@ -87,6 +93,7 @@ impl Reach {
     pub(crate) fn narrowness(&self) -> usize {
         match self {
             Self::All => 0,
+            Self::From { .. } => 5,
             Self::Cells(_) => 10,
             Self::Section(_) => 20,
             Self::Lines { first, last, .. } => 1_000_000 - last.saturating_sub(*first).min(900_000),
