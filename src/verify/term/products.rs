@@ -2,7 +2,7 @@
 
 use crate::algebra::Place;
 use crate::notation::ast::{Bracket, Factor, Kind, Node, Operator as Sign};
-use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::atoms::{Key, Motion, Space, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
 use crate::verify::term::letters::{loosely, spelled};
@@ -275,7 +275,7 @@ impl Lowering<'_> {
         })
     }
 
-    /// Whether a letter is the d of a differential.
+    /// Whether a letter is the d of a differential: none that a sentence uses as a letter of its own.
     fn is_differential(&self, node: &Node) -> bool {
         let Kind::Symbol(symbol) = &node.kind else {
             return false;
@@ -283,7 +283,12 @@ impl Lowering<'_> {
         let marked = symbol.style.tilde || symbol.style.hat || symbol.style.bar;
         let plain = symbol.name == "d" && symbol.subscripts.is_empty() && symbol.primes == 0;
         let plain = plain && !marked;
+        let own = Key {
+            space: Space::Unknown,
+            ..Key::new(&symbol.name)
+        };
         plain
+            && (symbol.style.upright || self.system.atoms.find(&own).is_none())
             && self
                 .letters
                 .find(&spelled(node), &loosely(node), self.at, 0)

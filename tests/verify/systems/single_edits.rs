@@ -43,3 +43,23 @@ $$ \dot{{\vec L}}\cdot\vec s = {right}\vec M\cdot\vec s $$
     assert_eq!(judged(&said, &with("")), "paap");
     assert_eq!(judged(&said, &with("-")), "raap");
 }
+
+#[test]
+fn the_letter_d_of_a_place_is_no_differential() {
+    let said = r"N is an inertial frame.
+O is a point fixed in N and in B.
+B is a frame fixed in the body.
+$\hat\imath$, $\hat\jmath$, $\hat k$ are the axes of B.
+U is placed from O by $d\hat\imath+e\hat k$.
+V is placed from O by $-d\hat\imath-e\hat k$.
+U and V are particles of mass $\mu$.
+The body consists of U and V.
+$K_{13}$ is entry (1, 3) of the inertia tensor of the body about O on B.
+";
+    let text = r"
+$$ K_{13} = -2\mu\,d\,e $$
+
+$$ K_{13} = -4\mu\,d\,e $$
+";
+    assert_eq!(judged(said, text), "pr");
+}
