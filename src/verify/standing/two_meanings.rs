@@ -46,7 +46,7 @@ impl Judge<'_> {
     }
 
     /// Letters of which nothing is told are the axes of their names where a line follows by that. Where it does not, they
-    /// may be something else.
+    /// may be something else; a line that is false of the axes is not taken for one that tells what they are.
     pub(super) fn or_by_axes(&mut self, link: &Link, held: Held) -> Held {
         let open = matches!(
             held.standing,
@@ -69,6 +69,7 @@ impl Judge<'_> {
             .then(|| self.hold_sides(link, worked_out))
         {
             Some(by_axes) if by_axes.standing == Standing::Entailed => by_axes,
+            Some(by_axes) if by_axes.standing == Standing::Denied => Held::open(OPEN_MEANING),
             _ => held,
         }
     }

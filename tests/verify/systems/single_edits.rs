@@ -63,3 +63,18 @@ $$ K_{13} = -4\mu\,d\,e $$
 ";
     assert_eq!(judged(said, text), "pr");
 }
+
+#[test]
+fn a_line_that_is_false_of_axes_does_not_define_their_names() {
+    let said = r"N is an inertial frame.
+n, w, u are the axes of N.
+F is a frame that turns relative to N about u by the angle $\alpha$.
+a, b, u are the axes of F.
+";
+    let text = r"
+$$ b = -\sin\alpha\,n + \cos\alpha\,w $$
+
+$$ b = \sin\alpha\,n + \cos\alpha\,w $$
+";
+    assert_eq!(judged(said, text), "pu");
+}
