@@ -274,3 +274,17 @@ $$ r_y = I_y q $$
 ";
     assert_ne!(last(rate), 'a');
 }
+
+#[test]
+fn the_position_from_the_mass_centre_is_another_one() {
+    let with = |right: &str| {
+        format!(
+            r"The body turns with the angular velocity $\boldsymbol\omega$. A particle has the positions $\mathbf r_i$ and $\mathbf r_i^c$. Then
+
+$$ \boldsymbol\omega\times\mathbf r_i^c = \boldsymbol\omega\times{right} $$
+"
+        )
+    };
+    assert_eq!(verdicts(&with(r"\mathbf r_i^c")), "p");
+    assert_ne!(last(&with(r"\mathbf r_i")), 'p');
+}

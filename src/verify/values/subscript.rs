@@ -27,6 +27,9 @@ pub(crate) const POINTS: &[&str] = &[
     "G", "O", "C", "G or O", "O or G", "cm", "CM", "cg", "c", "o", "B", "body", "b", "Oxyz",
 ];
 
+/// Those of them that are labels of the mass centre.
+const CENTRES: &[&str] = &["G", "C", "c", "cm", "CM", "cg"];
+
 pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
     let mut sorted = Subscripts::default();
     let whole = reading.usage.wholes.names(symbol);
@@ -75,26 +78,34 @@ pub(crate) fn subscripts(symbol: &Symbol, reading: &Reading) -> Subscripts {
             sorted.variant.push_str(text);
         }
     }
-    // Of the two frames of `{}^A\omega^B` each counts.
-    let frames = symbol.superscripts.len() > 1;
-    let always = reading
-        .usage
-        .always_wears(&Letter::of(symbol), &symbol.superscripts);
-    let told = !always && !is_of_the_body(symbol, reading);
-    let apart = frames || has_inertia_about_points(&letter, reading);
-    for text in symbol
-        .superscripts
-        .iter()
-        .filter(|s| told && (apart || !POINTS.contains(&s.trim())))
-    {
-        sorted.variant.push('^');
-        sorted.variant.push_str(text.trim());
-    }
+    sorted
+        .variant
+        .push_str(&superscripts(symbol, &letter, reading));
     sorted.variant.push_str(&"'".repeat(symbol.primes.into()));
     if symbol.variation {
         sorted.variant.push('δ');
     }
     sorted
+}
+
+/// The labels above a symbol that tell several entities of one letter apart.
+fn superscripts(symbol: &Symbol, letter: &Letter, reading: &Reading) -> String {
+    let always = reading.usage.always_wears(letter, &symbol.superscripts);
+    if always || is_of_the_body(symbol, reading) {
+        return String::new();
+    }
+    // Of the two frames of `{}^A\omega^B` each counts.
+    let frames = symbol.superscripts.len() > 1;
+    let apart = frames || has_inertia_about_points(letter, reading);
+    // Momenta and moments are taken about a point, but a position or a velocity is that of the point.
+    let of_point = matches!(
+        reading.quantities.get(letter),
+        Some(Quantity::Position | Quantity::Velocity | Quantity::Acceleration)
+    );
+    let about = |label: &str| POINTS.contains(&label) && !(of_point && CENTRES.contains(&label));
+    let labels = symbol.superscripts.iter().map(|label| label.trim());
+    let told = labels.filter(|&label| apart || !about(label));
+    told.map(|label| format!("^{label}")).collect()
 }
 
 /// Row and column of an entry on turned axes in the plane, `J_{x'y'}`, where the tensor on these has a prime, `J'`, and
@@ -242,9 +253,9 @@ pub(crate) fn is_of_the_body(symbol: &Symbol, reading: &Reading) -> bool {
 
 /// Whether a momentum or moment is about another point than the mass centre, where the document speaks of both.
 pub(crate) fn another_point(letter: &Letter, point: &str, reading: &Reading) -> bool {
-    let centre = |p: &str| matches!(p, "G" | "C" | "c" | "cm" | "CM" | "cg");
     let met = reading.usage.subscripts.get(letter);
-    matches!(point, "O" | "o") && met.is_some_and(|all| all.iter().any(|s| centre(s)))
+    let centre = |label: &String| CENTRES.contains(&label.as_str());
+    matches!(point, "O" | "o") && met.is_some_and(|all| all.iter().any(centre))
 }
 
 /// `k`, `k+1`, `n`: the index of an integration step.
