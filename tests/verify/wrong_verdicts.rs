@@ -288,3 +288,17 @@ $$ \boldsymbol\omega\times\mathbf r_i^c = \boldsymbol\omega\times{right} $$
     assert_eq!(verdicts(&with(r"\mathbf r_i^c")), "p");
     assert_ne!(last(&with(r"\mathbf r_i")), 'p');
 }
+
+#[test]
+fn components_of_several_vectors_name_none() {
+    let with = |first: &str| {
+        format!(
+            r"An aircraft has the angular velocity $\boldsymbol\omega = (p, q, r)^T$ and the principal moments of inertia $I_x$, $I_y$, $I_z$. The angular momentum vector is then
+
+$$ \begin{{bmatrix}} {first} \\ h_y \\ h_z \end{{bmatrix}} = \begin{{bmatrix}} I_x p \\ I_y q \\ I_z r \end{{bmatrix}} $$
+"
+        )
+    };
+    assert_eq!(last(&with("h_x")), 'p');
+    assert_ne!(last(&with("r_x")), 'p');
+}

@@ -78,11 +78,24 @@ fn lone_letters(node: &Node) -> Vec<Letter> {
             vec![Letter::of(symbol)]
         }
         Kind::Matrix(rows) if rows.iter().all(|row| row.len() == 1) => {
-            rows.iter().flatten().flat_map(lone_letters).collect()
+            letters_of_entries(rows.iter().flatten())
         }
-        Kind::Tuple(entries) => entries.iter().flat_map(lone_letters).collect(),
+        Kind::Tuple(entries) => letters_of_entries(entries.iter()),
         Kind::Norm(inside) => symbols(inside).into_iter().map(Letter::of).collect(),
         _ => vec![],
+    }
+}
+
+/// The letters of the entries of a column; three components of no one vector, `(r_x, h_y, h_z)`, name nothing.
+fn letters_of_entries<'n>(entries: impl Iterator<Item = &'n Node> + Clone) -> Vec<Letter> {
+    let indexed = |entry: &Node| match &inner(entry).kind {
+        Kind::Symbol(symbol) => symbol.subscripts.iter().any(|s| axis(s).is_some()),
+        _ => false,
+    };
+    let letters: Vec<Letter> = entries.clone().flat_map(lone_letters).collect();
+    match letters.as_slice() {
+        [a, b, c] if entries.clone().all(indexed) && (a != b || b != c) => vec![],
+        _ => letters,
     }
 }
 
