@@ -47,7 +47,8 @@ impl Builder<'_> {
         };
         spoken.sort_by_key(rank);
         while !spoken.is_empty() {
-            let next = spoken.iter().position(|s| self.may_be_placed(s));
+            let ready = |s: &Spoken| self.may_be_placed(s) && !self.lies_from_one_of(&spoken, s);
+            let next = spoken.iter().position(ready);
             let point = spoken.remove(next.unwrap_or(0));
             self.place_point(&point);
         }
@@ -156,6 +157,16 @@ impl Builder<'_> {
                 ends.peek().is_none() || ends.any(|(body, _)| bodies[body].centre != 0)
             }
         }
+    }
+
+    /// Whether a point is placed from another of some of which sentences tell where they are.
+    fn lies_from_one_of(&self, others: &[Spoken], spoken: &Spoken) -> bool {
+        let lies = spoken.lies.map(|index| &self.declarations[index].statement);
+        let lies = lies.and_then(|said| said.does("lie").or_else(|| said.does("place")));
+        let from = lies.and_then(|(_, slots)| name_of(slot(slots, Slot::From)?));
+        let told = |s: &&Spoken| s.lies.is_some() || !s.fixed_in.is_empty();
+        let mut others = others.iter().filter(told);
+        from.is_some_and(|from| others.any(|s| s.name == from && s.name != spoken.name))
     }
 
     /// Whether the point from which something is placed stands already.

@@ -1,6 +1,6 @@
 //! What sentences say of points, gathered by their names.
 
-use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::Builder;
@@ -27,10 +27,22 @@ impl Spoken {
     }
 }
 
+/// The sentences with their places. Wherever they stand, those of a part of the document come behind the others, and those
+/// that only say in what a point is fixed behind the ones that name it.
+fn naming_first(declarations: &[Declaration]) -> Vec<(usize, &Declaration)> {
+    let mut sorted: Vec<_> = declarations.iter().enumerate().collect();
+    sorted.sort_by_key(|(_, declaration)| {
+        let attribute =
+            matches!(&declaration.statement, Statement::Is { what, .. } if what.head == "fixed");
+        (reach_of(&declaration.extent) != Reach::All, attribute)
+    });
+    sorted
+}
+
 impl Builder<'_> {
     pub(super) fn spoken_points(&self) -> Vec<Spoken> {
         let mut all: Vec<Spoken> = vec![];
-        for (index, declaration) in self.declarations.iter().enumerate() {
+        for (index, declaration) in naming_first(self.declarations) {
             let whole = reach_of(&declaration.extent) == Reach::All;
             match &declaration.statement {
                 Statement::Is { subjects, what }

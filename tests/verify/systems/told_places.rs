@@ -146,3 +146,42 @@ $$ \vec M=-k\,\hat o\times(I\hat o) $$
 ";
     assert_eq!(verdicts(sentences, text).0, "pr");
 }
+
+#[test]
+fn a_point_may_rest_before_it_is_told_what_it_is() {
+    let sentences = [
+        "N is an inertial frame.",
+        "B is a frame fixed in the body.",
+        "G is the mass centre of the body.",
+        "G is at rest relative to N.",
+        r"$\vec\omega$ is the angular velocity of B relative to N.",
+        r"$\mathbf J$ is the inertia tensor of the body about G.",
+        "$T$ is the kinetic energy of the body.",
+    ];
+    let text = r"
+$$ T=\tfrac12\,\vec\omega\cdot\mathbf J\vec\omega $$
+";
+    judged_in_any_order(&sentences, text, "p");
+}
+
+#[test]
+fn a_point_waits_for_that_from_which_it_is_placed() {
+    let sentences = [
+        "N is an inertial frame.",
+        "A is a frame fixed in link 1.",
+        "B is a frame fixed in link 2.",
+        r"$\vec e_1$, $\vec n_1$, $\vec z$ are the axes of A.",
+        r"$\vec e_2$, $\vec n_2$, $\vec z$ are the axes of B.",
+        r"A turns relative to N about $\vec z$ by the angle $q_1$.",
+        r"B turns relative to A about $\vec z$ by the angle $q_2$.",
+        "O is a point fixed in N and in A.",
+        r"$G_2$ lies at the distance $c_2$ from P along $\vec e_2$.",
+        "P is a point fixed in A and in B.",
+        r"P lies at the distance $l$ from O along $\vec e_1$.",
+        r"$\vec v_2$ is the velocity of $G_2$ relative to N.",
+    ];
+    let text = r"
+$$ \vec v_2=l\dot q_1\,\vec n_1+c_2(\dot q_1+\dot q_2)\,\vec n_2 $$
+";
+    judged_in_any_order(&sentences, text, "p");
+}
