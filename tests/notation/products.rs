@@ -59,6 +59,8 @@ fn a_function_without_brackets_takes_what_belongs_to_it() {
         (r"\sin 2\theta", "(sin (* 2 theta))"),
         (r"\sin\theta\,\dot\phi", "(* (sin theta) (dot phi))"),
         (r"\sin\theta\cos\phi", "(* (sin theta) (cos phi))"),
+        (r"\sin\theta(a + b)", "(* (sin theta) (+ a b))"),
+        (r"\sin\chi(a + b)", "(* (sin chi) (+ a b))"),
         (r"\cos\theta\mathbf{e}_x", "(* (cos theta) vec:e_x)"),
         (r"\sin^2\theta\,\dot\psi", "(* (^ (sin theta) 2) (dot psi))"),
         (r"\sin^2(\pi t/T_s)", "(^ (sin (* pi (/ t T_s))) 2)"),

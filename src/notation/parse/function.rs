@@ -288,7 +288,11 @@ impl<'a> Parser<'_, 'a> {
     }
 }
 
-const ANGLES: &[&str] = &["theta", "phi", "psi", "alpha", "beta", "gamma"];
+/// Letters of angles; the others are those of rates and of what else multiplies a time.
+const ANGLES: &[&str] = &[
+    "theta", "phi", "psi", "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "lambda",
+    "xi", "chi", "Theta", "Phi", "Psi",
+];
 
 fn ungrouped(node: Node) -> Node {
     match node.kind {
