@@ -71,10 +71,12 @@ impl<'t, 'a> Parser<'t, 'a> {
         if rows.last().is_some_and(|row| row.is_empty()) {
             rows.pop();
         }
+        let spaced = !rows.is_empty() && rows.iter().all(|row| is_spaced(row));
         let cells: Vec<Vec<Node>> = rows
             .into_iter()
             .map(|row| {
                 let cells = split_outside(row, |t| t.kind == Lexeme::Ampersand);
+                let cells = if spaced { every_other(&cells) } else { cells };
                 let several = cells.len() > 1;
                 let read = |cell: &'t [Token<'a>]| {
                     let inside = self.inside(cell);
@@ -96,4 +98,29 @@ impl<'t, 'a> Parser<'t, 'a> {
             None => Ok(cells),
         }
     }
+}
+
+/// `a && b && c`: whether the cells of a row stand two signs apart and none is left blank, so that the columns between them are
+/// space.
+fn is_spaced(row: &[Token<'_>]) -> bool {
+    let cells = split_outside(row, |t| t.kind == Lexeme::Ampersand);
+    let mut at = 0;
+    let odd = cells.len() % 2 == 1 && cells.len() > 1;
+    odd && cells.iter().enumerate().all(|(place, cell)| {
+        let begins = at;
+        at += cell.len() + 1;
+        match (place % 2, begins.checked_sub(1)) {
+            (1, Some(before)) => {
+                let signs = row.get(before).zip(row.get(begins));
+                cell.is_empty()
+                    && signs.is_some_and(|(one, other)| one.span.end == other.span.start)
+            }
+            _ => !cell.iter().all(|t| matches!(t.kind, Lexeme::Space(_))),
+        }
+    })
+}
+
+/// The first, third and further cells.
+fn every_other<'t, 'a>(cells: &[&'t [Token<'a>]]) -> Vec<&'t [Token<'a>]> {
+    cells.iter().step_by(2).copied().collect()
 }
