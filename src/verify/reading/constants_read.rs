@@ -101,10 +101,21 @@ impl Builder<'_> {
         let ground = self.reading.system.ground;
         let text = formula.source.clone();
         if is_marked_vector(&formula) || on.is_some() {
-            let quantity = Quantity::Vector {
+            let free = Quantity::Vector {
                 text,
                 carried: Some(ground),
             };
+            let size = self.size_of_gravity();
+            let quantity = match self.bearings.vertical {
+                Some(_) => self.along_vertical(&size.unwrap_or_else(own_gravity)),
+                None => {
+                    if let Some(size) = size {
+                        self.tie_gravity(&free, &size, declaration);
+                    }
+                    None
+                }
+            };
+            let quantity = quantity.unwrap_or(free);
             self.gravity = Some(quantity.clone());
             let quantity = match on {
                 Some(frame) => Quantity::On(quantity.boxed(), frame),
@@ -113,7 +124,37 @@ impl Builder<'_> {
             return self.denote(&formula, Meaning::Quantity(quantity), declaration);
         }
         let quantity = self.denote_number(&formula, declaration);
-        self.gravity = self.along_vertical(&quantity);
+        if !matches!(self.gravity, Some(Quantity::Vector { .. })) {
+            self.gravity = self.along_vertical(&quantity);
+        }
+    }
+
+    /// The letter of how great gravity is, where a sentence of its own tells it.
+    fn size_of_gravity(&self) -> Option<Quantity> {
+        self.declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what }
+                if tells_gravity(what) && what.slot(Slot::On).is_none() =>
+            {
+                let letter = formulas(subjects).find(|letter| !is_marked_vector(letter))?;
+                Some(Quantity::Scalar {
+                    text: letter.source.clone(),
+                    constant: true,
+                })
+            }
+            _ => None,
+        })
+    }
+
+    /// The square of a vector is that of its size.
+    fn tie_gravity(&mut self, vector: &Quantity, size: &Quantity, declaration: &Declaration) {
+        let Some(vector) = self.vector_of(vector) else {
+            return;
+        };
+        let size = self.system().value_of(size).ok();
+        if let Some(size) = size.and_then(|size| size.to_scalar().ok()) {
+            self.system().atoms.set_positive(&size);
+            self.hold(vector.dot(&vector) - size.clone() * size, declaration);
+        }
     }
 
     /// The acceleration of gravity; where weights are spoken of and no sentence tells its letter, it has one of its own.
@@ -122,11 +163,7 @@ impl Builder<'_> {
         let told =
             said.any(|d| matches!(&d.statement, Statement::Is { what, .. } if tells_gravity(what)));
         if self.gravity.is_none() && !told {
-            let own = Quantity::Scalar {
-                text: "\\text{gravity}".into(),
-                constant: true,
-            };
-            self.gravity = self.along_vertical(&own);
+            self.gravity = self.along_vertical(&own_gravity());
         }
         self.gravity.clone()
     }
@@ -150,5 +187,13 @@ impl Builder<'_> {
         self.system().atoms.set_positive(&size);
         let along = if vertical.points_down { size } else { -size };
         Some(Quantity::Scaled(axis.boxed(), along))
+    }
+}
+
+/// How great gravity is, where no sentence tells its letter.
+fn own_gravity() -> Quantity {
+    Quantity::Scalar {
+        text: "\\text{gravity}".into(),
+        constant: true,
     }
 }
