@@ -9,7 +9,7 @@ use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::named_loads_read::names_load;
-use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of};
+use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of, told};
 use crate::verify::reading::no_loads_read::is_exception;
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::{Meaning, spelled};
@@ -178,6 +178,29 @@ impl Builder<'_> {
         what
     }
 
+    /// "the third component of `$v$` on B"
+    pub(super) fn numbered_component(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let which: Vec<&Term> = phrase.all(Slot::Which).collect();
+        let ([number], 1) = (which.as_slice(), phrase.all(Slot::Of).count()) else {
+            return None;
+        };
+        let several = matches!(number, Term::Numbers(numbers) if numbers.len() != 1);
+        let axis = self.number_of_axis(number).filter(|_| !several)?;
+        let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+        let vector = self.vector_of(&of).is_some();
+        let custom = of.frame().unwrap_or(self.reading.letters.component_frame);
+        let on = told(phrase.slot(Slot::On), custom, |term| self.frame(term))?;
+        vector.then(|| Quantity::Component {
+            of: of.boxed(),
+            axis,
+            on,
+        })
+    }
+
     /// "`$v$` and `$a$` are the components along x of the velocity and the acceleration of P": one for each.
     fn read_components_of_each(
         &mut self,
@@ -293,6 +316,24 @@ impl Builder<'_> {
             self.denote(&Formula::of(&node), meaning, declaration);
         }
     }
+}
+
+/// "the first and third components of `$v$`": each by its number.
+pub(super) fn each_component(phrase: &NounPhrase) -> Option<Vec<NounPhrase>> {
+    let which: Vec<&Term> = phrase.all(Slot::Which).collect();
+    if phrase.head != "component" || which.len() < 2 {
+        return None;
+    }
+    let rest = phrase.slots.iter().filter(|(slot, _)| *slot != Slot::Which);
+    let rest: Vec<(Slot, Term)> = rest.cloned().collect();
+    let each = which.into_iter().map(|number| {
+        let own = (Slot::Which, number.clone());
+        NounPhrase {
+            slots: std::iter::once(own).chain(rest.clone()).collect(),
+            ..phrase.clone()
+        }
+    });
+    Some(each.collect())
 }
 
 /// "The components of the force on the body except the weight": it is left out of the force.

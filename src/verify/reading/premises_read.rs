@@ -12,6 +12,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{BodyId, FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::components_read::each_component;
 use crate::verify::reading::names::{
     MASS_CENTRE, POTENTIAL, is_of_products, node_of, reach_of, told,
 };
@@ -99,6 +100,10 @@ impl Builder<'_> {
         }
         if is_of_products(phrase) {
             return self.zero_products(phrase, declaration);
+        }
+        if let Some(each) = each_component(phrase) {
+            let mut each = each.iter();
+            return each.try_for_each(|one| self.zero_quantity(one, declaration));
         }
         let quantity = self.quantity(phrase, declaration)?;
         let value = self.system().value_of(&quantity).ok()?;

@@ -112,6 +112,7 @@ impl Builder<'_> {
             "component" if phrase.slot(Slot::Along).is_some() => {
                 self.operand(phrase.slot(Slot::Of)?, declaration)?
             }
+            "component" => self.numbered_component(phrase, declaration)?,
             PART => self.part(phrase, declaration)?,
             ROTATION_MATRIX => self.rotation_about(phrase, declaration)?,
             CROSS_PRODUCT_MATRIX => Quantity::CrossProductMatrix(
