@@ -48,6 +48,8 @@ pub(crate) const NORMAL: &str = "normal vector";
 pub(crate) const DOWNHILL: &str = "downhill direction";
 /// The acceleration with which things fall.
 pub(crate) const GRAVITY: &str = "acceleration of gravity";
+/// The adverb of what turns from one direction to another.
+pub(crate) const TOWARDS: &str = "towards";
 /// The opposite direction.
 pub(crate) const UPHILL: &str = "uphill direction";
 /// What a plane does to a body that touches it.

@@ -1,13 +1,13 @@
 //! Inclined planes: along which axis they fall, which axis stands on them, and how the vertical lies to them.
 
-use crate::verify::language::heads::{DOWNHILL, NORMAL, UPHILL, VERTICAL};
+use crate::verify::language::heads::{DOWNHILL, NORMAL, TOWARDS, UPHILL, VERTICAL};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::system::{Turn, Vector};
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{letter_of, name_of};
+use crate::verify::reading::names::{letter_of, name_of, opposite};
 
 /// How a plane lies in the inertial frame, by the numbers of its axes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -88,17 +88,60 @@ impl Builder<'_> {
         let Some(([Term::Phrase(vertical)], slots)) = declaration.statement.does("turn") else {
             return;
         };
-        let ground = self.reading.system.ground;
-        let axis = |wanted| {
-            let name = name_of(slot(slots, wanted)?)?;
-            self.axes.of(&name, ground)
+        if vertical.head != VERTICAL {
+            return;
+        }
+        let read = self.turned_vertical(vertical.is("downward"), slots, declaration);
+        read.unwrap_or_else(|| self.say_unused(declaration));
+    }
+
+    /// "The downward vertical is turned from `-y` towards x by the angle `\alpha`": as the upward one from y towards `-x`.
+    fn turned_vertical(
+        &mut self,
+        down: bool,
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let (from, opposed) = self.direction_of_ground(slot(slots, Slot::RelativeTo)?)?;
+        let towards = slots.iter().find_map(|(_, term)| match term {
+            Term::Phrase(way) if way.head == TOWARDS => way.slot(Slot::Of),
+            _ => None,
+        });
+        let (about, forward) = match (towards, slot(slots, Slot::About)) {
+            (Some(towards), None) => {
+                let (towards, reversed) = self.direction_of_ground(towards)?;
+                let about = 3usize.checked_sub(from + towards)?;
+                (about, ((from + 1) % 3 == towards) == (opposed == reversed))
+            }
+            (None, Some(about)) => match self.direction_of_ground(about)? {
+                (about, false) if !opposed => (about, true),
+                _ => return None,
+            },
+            _ => return None,
         };
-        if let ("vertical", false) = (vertical.head, vertical.is("downward"))
-            && let (Some(from), Some(about)) = (axis(Slot::RelativeTo), axis(Slot::About))
-            && let Some(angle) = slot(slots, Slot::By).and_then(letter_of)
-            && from != about
-        {
-            self.turn_vertical((from, about, true), &angle.clone(), declaration);
+        let angle = slot(slots, Slot::By).and_then(letter_of)?.clone();
+        if from == about || slots.len() != 3 {
+            return None;
+        }
+        self.turn_vertical((from, about, forward), &angle, declaration);
+        let vertical = self.bearings.vertical.as_mut()?;
+        vertical.points_down = opposed != down;
+        Some(())
+    }
+
+    /// An axis of the inertial frame, and whether the direction against it is meant.
+    fn direction_of_ground(&self, term: &Term) -> Option<(usize, bool)> {
+        let ground = self.reading.system.ground;
+        let axis = |term: &Term| match term {
+            Term::Phrase(axis) if axis.head == "axis" && axis.adjectives.is_empty() => {
+                let name = name_of(axis.slot(Slot::Which)?)?;
+                self.axes.of(&name, ground)
+            }
+            term => self.axes.of(&name_of(term)?, ground),
+        };
+        match opposite(term) {
+            Some(other) => Some((axis(&other)?, true)),
+            None => Some((axis(term)?, false)),
         }
     }
 

@@ -3,7 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, NOTHING, PLAIN_ADVERBS, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING, WEIGHT,
+    DOWNHILL, MASS, NOTHING, PLAIN_ADVERBS, TOWARDS, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING,
+    WEIGHT,
 };
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -48,6 +49,15 @@ fn is_misheard(statement: &Statement) -> bool {
             slots,
             ..
         } => slots.iter().any(|(_, term)| is_quantity(term)),
+        // From which direction the vertical is turned, and towards which one, tells all.
+        Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } if subjects.iter().all(|subject| subject.is_noun(VERTICAL)) => {
+            let mut hows = slots.iter().filter(|(slot, _)| *slot == Slot::With);
+            hows.any(|(_, how)| !how.is_noun(TOWARDS))
+        }
         Statement::Does { verb, slots, .. } => {
             let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
             // About a negative axis a thing turns the other way.
