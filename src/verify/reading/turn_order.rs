@@ -45,10 +45,36 @@ impl Builder<'_> {
         Some((combined, nearest.min()?, by_noun))
     }
 
+    /// "The top turns about O", of a point that is fixed where it turns: that it is fixed in the top is another sentence.
+    fn is_about_point(&self, slots: &[(Slot, Term)]) -> bool {
+        let mut told = slots.iter();
+        let more = told.any(|(slot, _)| !matches!(slot, Slot::About | Slot::RelativeTo));
+        let about = slot(slots, Slot::About).and_then(name_of);
+        let Some(about) = about.filter(|_| !more) else {
+            return false;
+        };
+        let ground = self.reading.system.ground;
+        let base = slot(slots, Slot::RelativeTo).map_or(Some(ground), |term| self.frame(term));
+        let fixed = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "point" => {
+                let mut names = subjects.iter().filter_map(name_of);
+                let at_rest = what.is("fixed") && base == Some(ground);
+                let mut carriers = what.all(Slot::FixedIn);
+                let carried = at_rest || carriers.any(|frame| self.frame(frame) == base);
+                names.any(|name| name == about) && carried
+            }
+            _ => false,
+        };
+        base.is_some() && self.declarations.iter().any(fixed)
+    }
+
     fn read_turn(&mut self, declaration: &Declaration) {
         let Some((subjects, slots)) = declaration.statement.does("turn") else {
             return;
         };
+        if self.is_about_point(slots) {
+            return;
+        }
         let relative = slot(slots, Slot::RelativeTo).and_then(name_of);
         let said = Said {
             relative,
