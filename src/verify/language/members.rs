@@ -5,6 +5,8 @@ use super::lexicon::{Entry, Inflection};
 use super::reader::Reader;
 use super::statement::{Formula, NounPhrase, Slot, Term};
 use super::words::Kind;
+use crate::notation::ast;
+use crate::notation::document::Row;
 
 impl<'a> Reader<'a> {
     /// A body that the text introduces, or a member of a family of such.
@@ -42,6 +44,11 @@ impl<'a> Reader<'a> {
     /// A body: "the hub", "wheel $i$".
     pub(super) fn member(&mut self, entry: &'a Entry, inflection: Inflection) -> Term {
         if let Some(index) = self.index() {
+            let many = entry.part && inflection == Inflection::Ending;
+            if many && is_name(&index) {
+                let slots = vec![(Slot::Which, Term::Formula(index))];
+                return Term::Phrase(Box::new(NounPhrase::new(entry.name, slots)));
+            }
             let family = entry.name.to_owned();
             return Term::Member { family, index };
         }
@@ -53,5 +60,19 @@ impl<'a> Reader<'a> {
             Inflection::Base => entry.name.to_owned(),
             _ => entry.ending.clone(),
         })
+    }
+}
+
+/// Whether a letter is the name of a thing: a capital one, or one with a label. An index is a small one.
+fn is_name(letter: &Formula) -> bool {
+    match &letter.row {
+        Row::Expression(node) => match &node.kind {
+            ast::Kind::Symbol(symbol) => {
+                let capital = symbol.name.chars().all(|c| c.is_ascii_uppercase());
+                capital || !symbol.subscripts.is_empty()
+            }
+            _ => false,
+        },
+        _ => false,
     }
 }

@@ -2,7 +2,8 @@
 //! is.
 
 use super::bodies::singular;
-use super::statement::{Declaration, Formula, Slot, Statement, Term};
+use super::is_thing;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::document::Row;
 
 /// As many as letters with numbers are looked for.
@@ -17,8 +18,9 @@ struct Named {
 
 /// What is said of member `$i$` is said of each by its name, with its number in the place of `$i$`.
 pub(crate) fn name_members(declarations: &mut Vec<Declaration>) {
+    tell_listed(declarations);
     let Some(named) = named(declarations) else {
-        return;
+        return refuse_numbers(declarations);
     };
     let mut told = vec![];
     for declaration in declarations.drain(..) {
@@ -32,6 +34,94 @@ pub(crate) fn name_members(declarations: &mut Vec<Declaration>) {
         }
     }
     *declarations = told;
+}
+
+/// "It consists of the particles P and Q": each of them is one.
+fn tell_listed(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter() {
+        let Some((wholes, parts)) = declaration.statement.does("consist") else {
+            continue;
+        };
+        let Some((noun, own)) = listed(parts, declarations) else {
+            continue;
+        };
+        let are = Statement::Is {
+            subjects: own.clone(),
+            what: NounPhrase::new(noun, vec![]),
+        };
+        let consist = Statement::Does {
+            subjects: wholes.to_vec(),
+            verb: "consist",
+            slots: own.into_iter().map(|part| (Slot::Of, part)).collect(),
+        };
+        told.push((declaration.saying(consist), declaration.saying(are)));
+    }
+    for (consist, are) in told {
+        let own =
+            |d: &&mut Declaration| d.line == consist.line && d.statement.does("consist").is_some();
+        if let Some(declaration) = declarations.iter_mut().find(own) {
+            *declaration = consist;
+        }
+        declarations.push(are);
+    }
+}
+
+/// The names behind "the particles", where the list has nothing else and no sentence says what else one of them is.
+fn listed(
+    parts: &[(Slot, Term)],
+    declarations: &[Declaration],
+) -> Option<(&'static str, Vec<Term>)> {
+    let [(Slot::Of, Term::Phrase(first)), rest @ ..] = parts else {
+        return None;
+    };
+    let which = first.slots.iter().all(|(slot, _)| *slot == Slot::Which);
+    let plain = which && first.adjectives.is_empty() && first.head == "particle";
+    let own = first
+        .all(Slot::Which)
+        .chain(rest.iter().map(|(_, part)| part));
+    let own: Vec<Term> = own.cloned().collect();
+    let proper = |term: &Term| match term {
+        Term::Name(name) => name.starts_with(char::is_uppercase),
+        Term::Formula(_) => true,
+        _ => false,
+    };
+    let other = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } => {
+            is_thing(what.head)
+                && what.head != first.head
+                && subjects.iter().any(|s| own.contains(s))
+        }
+        _ => false,
+    };
+    let told = plain && own.len() > 1 && own.iter().all(proper);
+    (told && !declarations.iter().any(other)).then_some((first.head, own))
+}
+
+/// Where a letter numbers things of which some have names without numbers, nobody knows which one each number is.
+fn refuse_numbers(declarations: &mut [Declaration]) {
+    let families: Vec<String> = declarations
+        .iter()
+        .filter_map(|d| Some(numbers(&d.statement)?.1))
+        .filter(|family| has_named_parts(declarations, family))
+        .collect();
+    for declaration in declarations {
+        let of_family =
+            |term: &&Term| matches!(term, Term::Member { family, .. } if families.contains(family));
+        let counts = numbers(&declaration.statement).is_some_and(|(_, f)| families.contains(&f));
+        if counts || declaration.statement.terms().iter().any(of_family) {
+            *declaration = declaration.clone().not_understood();
+        }
+    }
+}
+
+/// Whether something consists of things of a family that have names.
+fn has_named_parts(declarations: &[Declaration], family: &str) -> bool {
+    let wholes = declarations
+        .iter()
+        .filter_map(|d| d.statement.does("consist"));
+    let mut parts = wholes.flat_map(|(_, parts)| parts);
+    parts.any(|(_, part)| is_said_to_be(declarations, part, family))
 }
 
 /// The members, where one whole consists of nothing else and one letter numbers them.
@@ -62,7 +152,11 @@ fn named(declarations: &[Declaration]) -> Option<Named> {
 
 /// Whether a sentence says that a thing is one of a family.
 fn is_said_to_be(declarations: &[Declaration], thing: &Term, family: &str) -> bool {
-    let own = |subject: &Term| written(subject).is_some() && written(subject) == written(thing);
+    let named = matches!(thing, Term::Name(_) | Term::Formula(_));
+    let own = |subject: &Term| match (written(subject), written(thing)) {
+        (Some(one), Some(other)) => one == other,
+        _ => named && subject == thing,
+    };
     declarations.iter().any(|d| match &d.statement {
         Statement::Is { subjects, what } => what.head == family && subjects.iter().any(own),
         _ => false,
@@ -81,7 +175,13 @@ fn written(member: &Term) -> Option<(&str, &str)> {
         Term::Formula(letter) => &letter.source,
         _ => return None,
     };
-    let (letter, label) = name.split_once('_')?;
+    let numbered = || {
+        let digits = name
+            .find(|c: char| c.is_ascii_digit())
+            .filter(|at| *at > 0)?;
+        Some(name.split_at(digits))
+    };
+    let (letter, label) = name.split_once('_').or_else(numbered)?;
     Some((letter, label.trim_matches(['{', '}'])))
 }
 
