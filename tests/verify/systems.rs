@@ -38,6 +38,7 @@ mod steps;
 mod taken_in_whole;
 mod tensors;
 mod textbook;
+mod things_by_letters;
 mod told_by_equations;
 mod told_by_lines;
 mod told_places;

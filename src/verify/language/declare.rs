@@ -13,6 +13,8 @@ use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::entries::{tell_entries, tell_parts};
+use super::fixed_axes::name_fixed_axes;
+use super::flat_bodies::turn_in_own_planes;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
@@ -33,7 +35,7 @@ use super::owners::{give_to_bodies, say_of_loads};
 use super::placed_centres::name_placed_centres;
 use super::placed_points::name_placed_points;
 use super::places::{begin_rods, tell_places, tell_reach};
-use super::plain_letters::write_letters;
+use super::plain_letters::{name_bodies, write_letters};
 use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
 };
@@ -41,10 +43,11 @@ use super::planar::turn_in_planes;
 use super::rate_matrices::tell_rate_matrices;
 use super::reader::Reader;
 use super::reorder::{
-    axes, described_first, fronted, indexed_by_any, possessives, told_beside, without_brackets,
-    without_ranges,
+    axes, compounds, described_first, fronted, indexed_by_any, possessives, told_beside,
+    without_brackets, without_ranges,
 };
 use super::rewrite::plainly;
+use super::rigid_wholes::fix_particles;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
@@ -135,6 +138,7 @@ fn in_plain_terms(
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
     write_letters(&mut declarations, lexicon, macros);
+    name_bodies(&mut declarations);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
     tell_disturbed(&mut declarations);
@@ -151,9 +155,11 @@ fn in_plain_terms(
     tell_rate_matrices(&mut declarations);
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
+    name_fixed_axes(&mut declarations, macros);
     tell_upright_axes(&mut declarations);
     name_members(&mut declarations);
     number_counted(&mut declarations);
+    fix_particles(&mut declarations);
     lay_in_turn(&mut declarations);
     name_placed_points(&mut declarations);
     tell_named_things(&mut declarations);
@@ -211,6 +217,7 @@ fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     tell_suspended(declarations, macros);
     turn_lines(declarations, macros);
     turn_in_planes(declarations, macros);
+    turn_in_own_planes(declarations);
 }
 
 /// Reads one sentence. It makes several declarations where it speaks of several things or parts of the document.
@@ -335,7 +342,7 @@ fn understood(
         return Err(first);
     }
     let mut left = MOST_READINGS;
-    let mut now = plainly(&possessives(&axes(tokens), lexicon));
+    let mut now = plainly(&compounds(&possessives(&axes(tokens), lexicon), lexicon));
     let mut error = match strictly(&now) {
         Ok(said) => return Ok(said),
         Err(error) => error,

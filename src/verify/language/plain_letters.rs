@@ -2,8 +2,11 @@
 
 use super::lexicon::{Class, Lexicon};
 use super::reader::formula;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::{is_body, is_thing};
 use crate::notation::Macros;
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
 use std::collections::BTreeSet;
 
 /// What is said of letters alone, beside the quantities that they are.
@@ -86,4 +89,56 @@ fn write(term: &mut Term, letters: &BTreeSet<String>, macros: &Macros) {
         }
         _ => {}
     }
+}
+
+/// "`$b_1$` is a rigid body": the letter is a name, as it is without the signs of a formula, where it is no quantity as well.
+pub(crate) fn name_bodies(declarations: &mut [Declaration]) {
+    let said = |body: bool| {
+        let said = declarations.iter().filter_map(move |d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let named = is_body(what.head) && !PARTS.contains(&what.head);
+                (if body { named } else { !is_thing(what.head) }).then_some(subjects)
+            }
+            _ => None,
+        });
+        said.flatten()
+            .filter_map(letter_name)
+            .collect::<BTreeSet<String>>()
+    };
+    let names: BTreeSet<String> = said(true).difference(&said(false)).cloned().collect();
+    for declaration in declarations.iter_mut() {
+        let terms = declaration.statement.terms_mut().into_iter();
+        terms.for_each(|term| name_body(term, &names));
+    }
+}
+
+/// Bodies whose letters are those of points and masses as well.
+const PARTS: [&str; 4] = ["particle", "element", "bead", "bob"];
+
+fn name_body(term: &mut Term, names: &BTreeSet<String>) {
+    if let Some(name) = letter_name(term).filter(|name| names.contains(name)) {
+        *term = Term::Name(name);
+    } else if let Term::Phrase(phrase) = term {
+        let inner = phrase.slots.iter_mut();
+        inner.for_each(|(_, term)| name_body(term, names));
+    }
+}
+
+/// A letter with its labels, without marks.
+fn letter_name(term: &Term) -> Option<String> {
+    let Term::Formula(Formula {
+        row: Row::Expression(node),
+        ..
+    }) = term
+    else {
+        return None;
+    };
+    let Kind::Symbol(symbol) = &node.kind else {
+        return None;
+    };
+    let style = &symbol.style;
+    let marked = style.calligraphic || style.hat || style.tilde || symbol.primes > 0;
+    let plain = !marked && symbol.superscripts.is_empty();
+    let labels = symbol.subscripts.iter().map(|label| format!("_{label}"));
+    plain.then(|| std::iter::once(symbol.name.clone()).chain(labels).collect())
 }

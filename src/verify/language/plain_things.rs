@@ -146,20 +146,26 @@ pub(crate) fn hang_on_quantities(declarations: &mut [Declaration]) {
             if let (Slot::Of, Term::Phrase(thing)) = (&slot, &mut *term)
                 && is_body(thing.head)
                 && !thing.slots.is_empty()
-                && thing.slots.iter().all(|(slot, _)| HOISTED.contains(slot))
+                && thing.slots.iter().all(is_hoisted_or_number)
             {
-                moved.append(&mut thing.slots);
-                if thing
-                    .adjectives
-                    .iter()
-                    .all(|adjective| IDLE.contains(adjective))
-                {
+                let slots = std::mem::take(&mut thing.slots).into_iter();
+                let (hoisted, own) = slots.partition(|(slot, _)| HOISTED.contains(slot));
+                thing.slots = own;
+                moved.extend::<Vec<_>>(hoisted);
+                let idle = |adjective: &&str| IDLE.contains(adjective);
+                if thing.slots.is_empty() && thing.adjectives.iter().all(idle) {
                     *term = Term::Name(thing.head.to_owned());
                 }
             }
         }
         what.slots.append(&mut moved);
     }
+}
+
+/// What hangs on a quantity, or the number of the thing that has it: "the velocity of the first particle relative to N".
+fn is_hoisted_or_number((slot, term): &(Slot, Term)) -> bool {
+    let number = *slot == Slot::Which && matches!(term, Term::Numbers(_));
+    number || HOISTED.contains(slot)
 }
 
 /// Gives a thing its plain name; whether the inertial frame was spoken of.
@@ -192,6 +198,7 @@ fn plain(term: &mut Term, ground: &str) -> bool {
     }
     // "its axis `$a$`"
     if let (Some(letter @ Term::Formula(_)), "axis") = (phrase.slot(Slot::Which), phrase.head)
+        && !phrase.is("negative")
         && phrase
             .slots
             .iter()

@@ -108,6 +108,36 @@ pub(crate) fn possessives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
     tokens
 }
 
+/// Places of bodies that stand behind the name of the body: "the wheel centre".
+const PLACES: [&str; 6] = ["centre", "center", "middle", "midpoint", "end", "tip"];
+
+/// "the wheel centre" as "the centre of the wheel".
+pub(crate) fn compounds(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
+    let mut tokens = tokens.to_vec();
+    for at in 0..tokens.len().saturating_sub(2) {
+        let [article, body, place] = &tokens[at..at + 3] else {
+            break;
+        };
+        let words = [body.lower.as_str(), place.lower.as_str()];
+        let whole = lexicon
+            .find(&words, &Class::ALL)
+            .is_some_and(|all| all.length > 1);
+        let thing = lexicon.find(&words[..1], &[Class::Thing]).is_some();
+        if article.lower == "the" && thing && PLACES.contains(&words[1]) && !whole {
+            let of = put_in(Kind::Word, "of", place);
+            let plain = [
+                article.clone(),
+                place.clone(),
+                of,
+                article.clone(),
+                body.clone(),
+            ];
+            tokens.splice(at..at + 3, plain);
+        }
+    }
+    tokens
+}
+
 /// Whose: "wheel's".
 fn owner(token: &Token) -> Option<String> {
     let text = token.text.replace('’', "'");

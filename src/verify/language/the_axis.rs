@@ -2,6 +2,7 @@
 //! acts on it".
 
 use super::heads::AXES;
+use super::is_body;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
 
 const AXIS: &str = "axis";
@@ -37,6 +38,10 @@ fn the_only_axis(declarations: &[Declaration]) -> Option<Term> {
             continue;
         };
         let about = slot(slots, Slot::About).filter(|about| !is_bare(about))?;
+        // "the shaft" is called by its own noun.
+        if matches!(about, Term::Phrase(thing) if is_body(thing.head)) {
+            continue;
+        }
         if declaration.extent != Extent::Document {
             return None;
         }
@@ -68,7 +73,8 @@ fn is_bare(term: &Term) -> bool {
 
 fn name_axis(phrase: &mut NounPhrase, axis: &Term) {
     for (slot, term) in &mut phrase.slots {
-        if matches!(slot, Slot::About | Slot::Along) && is_bare(term) {
+        let from = *slot == Slot::RelativeTo && phrase.head == "distance";
+        if (from || matches!(slot, Slot::About | Slot::Along)) && is_bare(term) {
             term.clone_from(axis);
         }
         if let Term::Phrase(inner) = term {

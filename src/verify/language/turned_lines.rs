@@ -12,9 +12,9 @@ use crate::notation::Macros;
 const SENSES: [&str; 2] = ["towards", "positive towards"];
 
 /// An axis of a frame, from 1, and whether a direction goes against it.
-struct Direction {
-    frame: Term,
-    number: usize,
+pub(super) struct Direction {
+    pub(super) frame: Term,
+    pub(super) number: usize,
     reversed: bool,
 }
 
@@ -85,7 +85,7 @@ fn turned(
 }
 
 /// An axis by its name, or the vertical where that is one of the axes.
-fn direction(term: &Term, declarations: &[Declaration]) -> Option<Direction> {
+pub(super) fn direction(term: &Term, declarations: &[Declaration]) -> Option<Direction> {
     if let Term::Phrase(vertical) = term
         && vertical.head == VERTICAL
     {

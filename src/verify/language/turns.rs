@@ -1,10 +1,13 @@
 //! Turns of one thing that one sentence tells one after the other: "by `$a$` about z and then by `$b$` about x".
 
 use super::clause::as_formula;
-use super::heads::EULER_ANGLES;
+use super::heads::{ANGULAR_VELOCITY, EULER_ANGLES};
 use super::is_body;
+use super::other_components::number_other_components;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::say_besides;
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
 
 /// Puts the turns of a sentence together: by angles they are Euler angles; several rates of one thing are not understood.
 pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> {
@@ -126,10 +129,13 @@ const MOTIONS: [(&str, &str, &[Slot]); 2] = [
 
 /// "The disc is a body that turns about z": the disc turns.
 pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
+    tell_vector_rates(declarations);
+    number_other_components(declarations);
     say_besides(declarations, |statement| {
         let Statement::Is { subjects, what } = statement else {
             return vec![];
         };
+        as_described_body(what);
         let motion = MOTIONS.into_iter().find(|(said, ..)| what.is(said));
         let Some((adjective, verb, slots)) = motion.filter(|_| is_body(what.head)) else {
             return vec![];
@@ -145,6 +151,54 @@ pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
             slots: moves,
         }]
     });
+}
+
+/// "The top turns about O with the angular velocity `$\\vec\\omega$`": a vector is no rate about an axis.
+fn tell_vector_rates(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } = statement
+        else {
+            return vec![];
+        };
+        let ([body], Some(rate)) = (subjects.as_slice(), slots.iter().find_map(vector_rate)) else {
+            return vec![];
+        };
+        slots.retain(|slot| vector_rate(slot).is_none());
+        let relative = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);
+        let of = std::iter::once((Slot::Of, body.clone()));
+        let what = NounPhrase::new(ANGULAR_VELOCITY, of.chain(relative.cloned()).collect());
+        vec![Statement::one_is(rate, what)]
+    });
+}
+
+/// The letter of a vector behind "at the rate".
+fn vector_rate((slot, term): &(Slot, Term)) -> Option<Term> {
+    let letter = match term {
+        Term::Phrase(rate) => rate.slot(Slot::Which)?,
+        letter => letter,
+    };
+    let Term::Formula(Formula {
+        row: Row::Expression(node),
+        ..
+    }) = letter
+    else {
+        return None;
+    };
+    let vector = matches!(&node.kind, Kind::Symbol(symbol) if symbol.style.vector);
+    (*slot == Slot::At && vector).then(|| letter.clone())
+}
+
+/// "a rigid body that turns about z" is a body, with what says how it moves.
+fn as_described_body(what: &mut NounPhrase) {
+    if MOTIONS.iter().any(|(said, ..)| *said == what.head) && what.is("body-fixed") {
+        what.adjectives.retain(|a| *a != "body-fixed");
+        what.adjectives.push(what.head);
+        what.head = "body";
+    }
 }
 
 /// Whether a sentence goes on with another turn of the same thing against the same frame.

@@ -6,10 +6,12 @@ use crate::verify::language::heads::{FORCE, KEEPS_DIRECTION, MASS, MOMENT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
 };
-use crate::verify::language::{is_bodily, only_names};
+use crate::verify::language::{is_bodily, is_body, only_names};
+use crate::verify::model::system::BodyId;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS, place_in};
 use crate::verify::reading::corners_read::CORNER;
+use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::parallels_read::are_moments;
 use crate::verify::reading::unused::{Touches, Unused, carries};
@@ -178,8 +180,52 @@ impl Builder<'_> {
             "centre" => self.is_place_of_surface(what.slot(Slot::Of)),
             _ => self.is_end_placed(what),
         };
-        let unplaced = UNPLACED.contains(&what.head) && !placed;
+        let named = |t: &Term| what.head == "centre" && self.is_only_named(t);
+        let idle = what.slot(Slot::Of).is_some_and(named);
+        let unplaced = UNPLACED.contains(&what.head) && !placed && !idle;
         !(of_body && unplaced || rim || one || nothing)
+    }
+
+    /// Whether sentences speak of a body only as of what acts on others, and of its centre: where that is matters to nothing.
+    fn is_only_named(&self, thing: &Term) -> bool {
+        let Some(body) = self.body(thing) else {
+            return false;
+        };
+        self.declarations.iter().all(|d| {
+            let own = |term: &Term| self.speaks_of_body(term, body);
+            match &d.statement {
+                Statement::Is { subjects, what } => {
+                    let bare = is_body(what.head) && what.slots.is_empty();
+                    let centre = what.head == "centre" && what.slots.len() == 1;
+                    let hanging = what.slots.iter().any(|(_, term)| own(term));
+                    let told = !is_load(what) && hanging && !centre;
+                    !told && (bare || !subjects.iter().any(own))
+                }
+                statement => {
+                    let (slots, about) = match statement {
+                        Statement::Premise(premise) => (premise.slots.as_slice(), &[][..]),
+                        Statement::Does {
+                            subjects, slots, ..
+                        } => (slots.as_slice(), subjects.as_slice()),
+                        statement => (&[][..], statement.subjects()),
+                    };
+                    let mut terms = slots.iter().map(|(_, term)| term).chain(about);
+                    !terms.any(own)
+                }
+            }
+        })
+    }
+
+    /// Whether a term speaks of a body, but as of what acts on another one.
+    fn speaks_of_body(&self, term: &Term, body: BodyId) -> bool {
+        let hanging = match term {
+            Term::Phrase(phrase) if !is_load(phrase) => {
+                let mut slots = phrase.slots.iter();
+                slots.any(|(_, inner)| self.speaks_of_body(inner, body))
+            }
+            _ => false,
+        };
+        hanging || self.body(term) == Some(body)
     }
 
     /// Whether a sentence says which loads are the only ones.
@@ -251,6 +297,11 @@ impl Builder<'_> {
             }
         }
     }
+}
+
+/// Whether a noun means what acts on bodies.
+fn is_load(what: &NounPhrase) -> bool {
+    names_load(what) || matches!(what.head, FORCE | MOMENT)
 }
 
 /// Whether one of some letters stands in a statement.

@@ -1,0 +1,60 @@
+//! Rigid bodies that consist of particles: these are fixed in them.
+
+use super::kinds::name;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// The noun of two particles on a rod.
+const RIGID: &str = "dumb-bell";
+
+/// "The dumb-bell consists of two particles": they are points of a frame that is fixed in it.
+pub(crate) fn fix_particles(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for declaration in declarations.iter() {
+        let Some(([whole @ Term::Name(called)], parts)) = declaration.statement.does("consist")
+        else {
+            continue;
+        };
+        let parts: Vec<Term> = parts.iter().map(|(_, part)| part.clone()).collect();
+        let particles = parts
+            .iter()
+            .all(|part| is_said(part, declarations, is_particle));
+        let rigid = called == RIGID || is_said(whole, declarations, |what| what.is("rigid"));
+        if !particles || !rigid {
+            continue;
+        }
+        let inside = |noun| NounPhrase::new(noun, vec![(Slot::FixedIn, whole.clone())]);
+        let are = Statement::Is {
+            subjects: parts,
+            what: inside("point"),
+        };
+        told.push(declaration.saying(are));
+        if !has_frame(whole, declarations) {
+            let frame = Term::Name(format!("frame of {called}"));
+            told.push(declaration.saying(Statement::one_is(frame, inside("frame"))));
+        }
+    }
+    declarations.extend(told);
+}
+
+fn is_particle(what: &NounPhrase) -> bool {
+    what.head == "particle"
+}
+
+/// Whether sentences say something of a thing by a noun.
+fn is_said(thing: &Term, all: &[Declaration], of: impl Fn(&NounPhrase) -> bool) -> bool {
+    let own = |subject: &Term| name(subject).is_some() && name(subject) == name(thing);
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => of(what) && subjects.iter().any(own),
+        _ => false,
+    })
+}
+
+/// Whether a frame is said to be fixed in a body.
+fn has_frame(body: &Term, all: &[Declaration]) -> bool {
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { what, .. } => {
+            what.head == "frame" && what.all(Slot::FixedIn).any(|fixed| fixed == body)
+        }
+        _ => false,
+    })
+}
