@@ -3,6 +3,7 @@
 
 use super::heads::UNIT_VECTOR;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::{Macros, read_formula};
 use std::collections::BTreeSet;
 
 /// The neighbours in a chain, by what their numbers have behind the letter.
@@ -39,11 +40,9 @@ pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
         told.push(declaration);
     }
     for declaration in &mut told {
-        let terms = declaration.statement.terms_mut();
-        terms.into_iter().for_each(|term| name(term, &letter));
-        let axis = |term: &Term| matches!(term, Term::Name(name) if name.starts_with(AXIS_OF));
-        if declaration.statement.subjects().iter().all(axis) {
-            declaration.statement.is_of(Some(UNIT_VECTOR));
+        name_all(&mut declaration.statement, &letter);
+        if let Some(fixed) = fixed_axis(&declaration.statement) {
+            declaration.statement = fixed;
         }
     }
     told.extend(unit_vectors(&told));
@@ -135,12 +134,10 @@ fn places_in_chain(statement: &Statement) -> bool {
     }
 }
 
+/// Whether other sentences speak of what a statement is about.
 fn are_known(statement: &Statement, letter: &str, things: &BTreeSet<String>) -> bool {
-    let mut named = statement
-        .terms()
-        .into_iter()
-        .filter_map(|term| thing(term, letter));
-    named.all(|thing| things.contains(&thing))
+    let mut subjects = statement.subjects().iter();
+    subjects.all(|term| thing(term, letter).is_some_and(|thing| things.contains(&thing)))
 }
 
 /// A statement about the next things of the chain, or about those before.
@@ -192,9 +189,41 @@ fn name(term: &mut Term, letter: &str) {
         .filter(|(slot, _)| *slot != Slot::Which);
     things.for_each(|(_, term)| name(term, letter));
     if let ("axis", [(Slot::Of, Term::Name(joint))]) = (phrase.head, phrase.slots.as_slice())
-        && joint.starts_with("joint ")
+        && let Some(axis) = joint_axis(joint)
     {
-        *term = Term::Name(format!("{AXIS_OF} {joint}"));
+        *term = Term::Formula(axis);
+    }
+}
+
+fn name_in(slots: &mut Vec<(Slot, Term)>, letter: &str) {
+    let behind: Vec<_> = slots
+        .iter_mut()
+        .flat_map(|(_, term)| behind_number(term))
+        .collect();
+    slots.extend(behind);
+    let things = slots.iter_mut().filter(|(slot, _)| *slot != Slot::Which);
+    things.for_each(|(_, term)| name(term, letter));
+}
+
+/// Gives all things of a statement their names.
+fn name_all(statement: &mut Statement, letter: &str) {
+    match statement {
+        Statement::Is { subjects, what } => {
+            subjects.iter_mut().for_each(|term| name(term, letter));
+            name_in(&mut what.slots, letter);
+        }
+        Statement::Does {
+            subjects, slots, ..
+        } => {
+            subjects.iter_mut().for_each(|term| name(term, letter));
+            name_in(slots, letter);
+        }
+        Statement::Same { subjects, others } => {
+            let terms = subjects.iter_mut().chain(others);
+            terms.for_each(|term| name(term, letter));
+        }
+        Statement::Premise(premise) => name_in(&mut premise.slots, letter),
+        _ => {}
     }
 }
 
@@ -202,7 +231,10 @@ fn name(term: &mut Term, letter: &str) {
 fn behind_number(term: &mut Term) -> Vec<(Slot, Term)> {
     match term {
         Term::Phrase(frame) if frame.head == "frame" && frame.slot(Slot::Which).is_some() => {
-            let number = frame.slots.iter().position(|(slot, _)| *slot == Slot::Which);
+            let number = frame
+                .slots
+                .iter()
+                .position(|(slot, _)| *slot == Slot::Which);
             let mut behind = std::mem::take(&mut frame.slots);
             frame.slots.extend(number.map(|at| behind.remove(at)));
             behind
@@ -211,18 +243,53 @@ fn behind_number(term: &mut Term) -> Vec<(Slot, Term)> {
     }
 }
 
-/// The name of the axis of a joint begins so.
-const AXIS_OF: &str = "axis of";
+/// The letter of the axis of a joint begins so.
+const AXIS: &str = "a_{\\text{joint ";
 
-/// The axes of joints are unit vectors.
+/// The letter of the axis of a joint.
+fn joint_axis(joint: &str) -> Option<Formula> {
+    let number = joint.strip_prefix("joint ")?;
+    let source = format!("{AXIS}{number}}}}}");
+    let row = read_formula(&source, 0, &Macros::default()).pop()?;
+    Some(Formula { source, row })
+}
+
+/// "The axis of joint `$i$` is fixed in frame `$i-1$` and in frame `$i$`": a unit vector is.
+fn fixed_axis(statement: &Statement) -> Option<Statement> {
+    let Statement::Premise(premise) = statement else {
+        return None;
+    };
+    let Some(Term::Name(joint)) = premise.slot(Slot::Of) else {
+        return None;
+    };
+    let axis = joint_axis(joint).filter(|_| premise.head == "axis" && premise.is("fixed"))?;
+    let fixed = premise.all(Slot::FixedIn);
+    let fixed = fixed.map(|frame| (Slot::FixedIn, frame.clone()));
+    let what = NounPhrase::new(UNIT_VECTOR, fixed.collect());
+    Some(Statement::one_is(Term::Formula(axis), what))
+}
+
+fn is_joint_axis(term: &Term) -> bool {
+    matches!(term, Term::Formula(letter) if letter.source.starts_with(AXIS))
+}
+
+/// The axes of joints are unit vectors, where no sentence says in what they are fixed.
 fn unit_vectors(told: &[Declaration]) -> Vec<Declaration> {
-    let mut axes = BTreeSet::new();
+    let subjects = told.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, .. } => subjects.as_slice(),
+        _ => &[],
+    });
+    let letters = subjects.filter_map(|term| match term {
+        Term::Formula(letter) => Some(letter.source.as_str()),
+        _ => None,
+    });
+    let mut axes: BTreeSet<&str> = letters.collect();
     let mut declarations = vec![];
     for declaration in told {
         for term in declaration.statement.terms() {
-            if let Term::Name(axis) = term
-                && axis.starts_with(AXIS_OF)
-                && axes.insert(axis)
+            if let Term::Formula(axis) = term
+                && is_joint_axis(term)
+                && axes.insert(axis.source.as_str())
             {
                 let what = NounPhrase::new(UNIT_VECTOR, vec![]);
                 let said = Statement::one_is(term.clone(), what);
