@@ -42,12 +42,13 @@ const BEFORE: [&str; 25] = [
 ];
 
 /// Words by which two bodies of one kind are told apart: they are parts of their names.
-const APART: [&str; 32] = [
+const APART: [&str; 20] = [
     "upper", "lower", "inner", "outer", "front", "rear", "back", "left", "right", "top", "bottom",
-    "middle", "small", "large", "smaller", "larger", "big", "little", "long", "short", "heavy",
-    "light", "driving", "driven", "fore", "aft", "near", "far", "main", "central", "leading",
-    "trailing",
+    "middle", "driving", "driven", "fore", "aft", "near", "far", "leading", "trailing",
 ];
+
+/// Shapes that are called right where their axis is perpendicular to their base.
+const RIGHT: [&str; 3] = ["cylinder", "cone", "prism"];
 
 /// Words that count, point, compare or say how, and never name a body.
 const NO_NAMES: [&str; 48] = [
@@ -308,12 +309,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
     }
     let next = tokens.get(end);
     let index = next.is_some_and(|t| matches!(t.kind, Kind::Formula | Kind::Plain | Kind::Number));
-    let described = next.is_some_and(|next| {
-        let word = [next.lower.as_str()];
-        let verb = lexicon.find(&word, &[Class::Verb]);
-        lexicon.find(&word, &[Class::Noun, Class::Place]).is_some()
-            && verb.is_none_or(|verb| verb.inflection != Inflection::Ending)
-    });
+    let described = next.is_some_and(|next| is_noun_here(next, lexicon));
     let last = tokens.get(end.wrapping_sub(1))?;
     let body = whole || !known(tokens, end.wrapping_sub(1), lexicon) && last.kind == Kind::Word;
     let counted = start > 0 && matches!(tokens[start - 1].kind, Kind::Formula | Kind::Plain);
@@ -326,17 +322,24 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
     found.then(|| (words.join(" "), end))
 }
 
+/// Whether a word behind a name is a noun that it belongs to, and no verb.
+fn is_noun_here(next: &Token, lexicon: &Lexicon) -> bool {
+    let word = [next.lower.as_str()];
+    let verb = lexicon.find(&word, &[Class::Verb]);
+    lexicon.find(&word, &[Class::Noun, Class::Place]).is_some()
+        && verb.is_none_or(|verb| verb.inflection != Inflection::Ending)
+}
+
 /// "upper arm", "front wheel"
 fn tells_apart(tokens: &[Token], lexicon: &Lexicon) -> bool {
     let [word, thing, ..] = tokens else {
         return false;
     };
-    let thing = lexicon.find(&[thing.lower.as_str()], &[Class::Thing]);
-    let both = [word.lower.as_str(), &tokens[1].lower];
-    let known = lexicon.find(&both, &[Class::Thing]);
-    APART.contains(&word.lower.as_str())
-        && thing.is_some()
-        && known.is_none_or(|known| known.length < 2)
+    let both = [word.lower.as_str(), thing.lower.as_str()];
+    let thing = |words: &[&str]| lexicon.find(words, &[Class::Thing]);
+    let upright = both[0] == "right" && RIGHT.contains(&both[1]);
+    let known = thing(&both).is_some_and(|known| known.length == 2);
+    APART.contains(&both[0]) && !upright && !known && thing(&both[1..]).is_some()
 }
 
 /// Whether an entry of the lexicon begins with the words that stand here.

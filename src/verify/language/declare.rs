@@ -6,7 +6,6 @@ use super::at_zero::tell_axes_at_zero;
 use super::bodies::introduced;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::capital_names::keep_capitals;
-use super::chains::name_chains;
 use super::clause::Said;
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
@@ -40,7 +39,6 @@ use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
 };
 use super::planar::turn_in_planes;
-use super::rate_matrices::tell_rate_matrices;
 use super::reader::Reader;
 use super::reorder::{
     axes, compounds, described_first, fronted, indexed_by_any, possessives, told_beside,
@@ -60,7 +58,7 @@ use super::told_apart::told_apart;
 use super::told_in_parts::say_in_parts;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
-use super::weights::{tell_gravity, tell_zeros};
+use super::weights::tell_gravity;
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -133,7 +131,6 @@ fn in_plain_terms(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
-    name_chains(&mut declarations);
     name_frames_by_numbers(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
@@ -152,7 +149,6 @@ fn in_plain_terms(
     tell_relations(&mut declarations);
     tell_turning(&mut declarations);
     tell_matrices(&mut declarations);
-    tell_rate_matrices(&mut declarations);
     name_plainly(&mut declarations);
     say_of_loads(&mut declarations);
     name_fixed_axes(&mut declarations, macros);
@@ -168,7 +164,6 @@ fn in_plain_terms(
     tell_sides(&mut declarations);
     give_to_bodies(&mut declarations);
     join_together(&mut declarations);
-    tell_zeros(&mut declarations);
     tell_gravity(&mut declarations);
     turn_by_aircraft_angles(&mut declarations);
     tell_constants(&mut declarations);

@@ -1,10 +1,12 @@
 //! Frames that are called by numbers: "1 turns relative to 0", once a sentence says that 0 and 1 are frames.
 
+use super::chains::name_chains;
 use super::statement::{Declaration, Slot, Statement, Term};
 use std::collections::BTreeSet;
 
 /// Puts names in the places of numbers that sentences say to be frames.
-pub(crate) fn name_frames_by_numbers(declarations: &mut [Declaration]) {
+pub(crate) fn name_frames_by_numbers(declarations: &mut Vec<Declaration>) {
+    name_chains(declarations);
     let frames = declarations.iter().flat_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "frame" => subjects.as_slice(),
         _ => &[],

@@ -4,6 +4,7 @@ use super::clause::as_formula;
 use super::heads::{ANGULAR_VELOCITY, EULER_ANGLES};
 use super::is_body;
 use super::other_components::number_other_components;
+use super::rate_matrices::tell_rate_matrices;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::say_besides;
 use crate::notation::ast::Kind;
@@ -30,6 +31,7 @@ pub(crate) fn turn_in_order(declarations: Vec<Declaration>) -> Vec<Declaration> 
 /// "B is turned relative to A by `$R$`": no angle is told by a letter in capitals, but the matrix of the turn, which takes
 /// components on B to components on A.
 pub(crate) fn tell_matrices(declarations: &mut Vec<Declaration>) {
+    tell_rate_matrices(declarations);
     say_besides(declarations, |statement| {
         let Statement::Does {
             subjects,

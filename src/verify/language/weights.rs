@@ -7,7 +7,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 
 /// "`$V$` is the potential energy of the rod, zero at O": where it is zero is a sentence of its own.
-pub(crate) fn tell_zeros(declarations: &mut Vec<Declaration>) {
+fn tell_zeros(declarations: &mut Vec<Declaration>) {
     say_besides(declarations, |statement| {
         let Statement::Is { subjects, what } = statement else {
             return vec![];
@@ -32,6 +32,7 @@ fn is_zero(term: &Term) -> bool {
 
 /// "The weight `$mg$` and the force at O are the only loads": where m is a mass, g is the acceleration of gravity.
 pub(crate) fn tell_gravity(declarations: &mut Vec<Declaration>) {
+    tell_zeros(declarations);
     let masses: Vec<String> = declarations.iter().flat_map(masses_in).collect();
     let mut found: Option<Declaration> = None;
     for declaration in declarations.iter_mut() {

@@ -58,14 +58,7 @@ fn is_misheard(statement: &Statement) -> bool {
             let mut hows = slots.iter().filter(|(slot, _)| *slot == Slot::With);
             hows.any(|(_, how)| !how.is_noun(TOWARDS))
         }
-        Statement::Does { verb, slots, .. } => {
-            let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
-            // About a negative axis a thing turns the other way.
-            let about = |(slot, _): &&(Slot, Term)| *verb == "turn" && *slot == Slot::About;
-            let mut others = slots.iter().filter(|slot| !about(slot));
-            MOTIONS.contains(verb) && slots.iter().any(strange)
-                || others.any(|(_, term)| is_reversed(term))
-        }
+        Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
         Statement::Is { subjects, what } => {
             let with = what.all(Slot::With).any(is_of_thing);
             if is_body(what.head) && with {
@@ -90,6 +83,16 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether something is done in a way that makes another thing of it.
+fn is_done_otherwise(verb: &str, slots: &[(Slot, Term)]) -> bool {
+    let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
+    // About a negative axis a thing turns the other way.
+    let about = |(slot, _): &&(Slot, Term)| verb == "turn" && *slot == Slot::About;
+    let mut others = slots.iter().filter(|slot| !about(slot));
+    MOTIONS.contains(&verb) && slots.iter().any(strange)
+        || others.any(|(_, term)| is_reversed(term))
 }
 
 /// What is said once of a thing: a second one is of another thing, or makes the first another one.

@@ -129,10 +129,10 @@ impl Builder<'_> {
             .into_iter()
             .filter(|(_, term)| !(counted && term.is_noun(WITHOUT_FRICTION)))
             .collect();
-        let [(slot, way)] = ways.as_slice() else {
-            return self
-                .move_freely(subjects, frame)
-                .filter(|_| ways.is_empty());
+        let (slot, way) = match ways.as_slice() {
+            [] => return self.move_freely(subjects, frame),
+            [way] => way,
+            _ => return None,
         };
         if let (Slot::Along, Term::Phrase(axis)) = (slot, way)
             && axis.slot(Slot::Through).is_some()
@@ -143,11 +143,7 @@ impl Builder<'_> {
         // "P moves on the turntable": where it is is told by its position.
         let thing = self.frame(way).or(self.body(way)).is_some()
             && matches!(slot, Slot::On | Slot::In | Slot::Along);
-        if thing
-            && subjects
-                .iter()
-                .all(|subject| self.is_position_told(subject))
-        {
+        if thing && subjects.iter().all(|s| self.is_position_told(s)) {
             return Some(());
         }
         let points: Option<Vec<_>> = subjects.iter().map(|subject| self.point(subject)).collect();

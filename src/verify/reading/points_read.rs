@@ -15,6 +15,7 @@ use crate::verify::reading::points_spoken::Spoken;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
+use std::collections::BTreeSet;
 
 impl Builder<'_> {
     /// Places every point: pivots first, then mass centres, then what is fixed in bodies, then what moves freely.
@@ -28,12 +29,18 @@ impl Builder<'_> {
             let body = s.centre_of.map(|body| &self.reading.system.bodies[body]);
             body.is_some_and(|body| body.members.is_some())
         };
+        let centres = spoken.iter().filter(|s| s.centre_of.is_some());
+        let centres: BTreeSet<String> = centres.map(|s| s.name.clone()).collect();
+        let from_centre = |s: &Spoken| {
+            self.lies_from(s)
+                .is_some_and(|from| centres.contains(&from))
+        };
         let rank = |s: &Spoken| match s {
             s if each(s) => 5,
             s if s.fixed_in.contains(&ground) && s.fixed_in.len() > 1 => 0,
             s if s.fixed_in.contains(&ground) => 1,
             // From a joint the mass centres of both bodies are placed.
-            s if s.fixed_in.len() > 1 && s.lies.is_none() => 1,
+            s if s.fixed_in.len() > 1 && !from_centre(s) => 1,
             s if s
                 .centre_of
                 .is_some_and(|b| !self.reading.system.bodies[b].parts.is_empty()) =>
@@ -157,21 +164,6 @@ impl Builder<'_> {
                 ends.peek().is_none() || ends.any(|(body, _)| bodies[body].centre != 0)
             }
         }
-    }
-
-    /// Whether a point is placed from another of some of which sentences tell where they are.
-    fn lies_from_one_of(&self, others: &[Spoken], spoken: &Spoken) -> bool {
-        let lies = spoken.lies.map(|index| &self.declarations[index].statement);
-        let lies = lies.and_then(|said| said.does("lie").or_else(|| said.does("place")));
-        let from = lies.and_then(|(_, slots)| name_of(slot(slots, Slot::From)?));
-        let told = |s: &&Spoken| s.lies.is_some() || !s.fixed_in.is_empty();
-        let mut others = others.iter().filter(told);
-        from.is_some_and(|from| others.any(|s| s.name == from && s.name != spoken.name))
-    }
-
-    /// Whether the point from which something is placed stands already.
-    fn lies_from_what_stands(&self, slots: &[(Slot, Term)]) -> bool {
-        slot(slots, Slot::From).is_some_and(|from| self.point(from).is_some())
     }
 
     /// The point that another is placed from, and the way there.

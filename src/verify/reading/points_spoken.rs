@@ -1,6 +1,6 @@
 //! What sentences say of points, gathered by their names.
 
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::Builder;
@@ -254,6 +254,26 @@ impl Builder<'_> {
                 });
             }
         }
+    }
+
+    /// Whether a point is placed from another of some of which sentences tell where they are.
+    pub(super) fn lies_from_one_of(&self, others: &[Spoken], spoken: &Spoken) -> bool {
+        let from = self.lies_from(spoken);
+        let told = |s: &&Spoken| s.lies.is_some() || !s.fixed_in.is_empty();
+        let mut others = others.iter().filter(told);
+        from.is_some_and(|from| others.any(|s| s.name == from && s.name != spoken.name))
+    }
+
+    /// Whether the point from which something is placed stands already.
+    pub(super) fn lies_from_what_stands(&self, slots: &[(Slot, Term)]) -> bool {
+        slot(slots, Slot::From).is_some_and(|from| self.point(from).is_some())
+    }
+
+    /// The name of the point from which a sentence places another.
+    pub(super) fn lies_from(&self, spoken: &Spoken) -> Option<String> {
+        let lies = &self.declarations[spoken.lies?].statement;
+        let (_, slots) = lies.does("lie").or_else(|| lies.does("place"))?;
+        name_of(slot(slots, Slot::From)?)
     }
 }
 

@@ -115,20 +115,30 @@ impl Builder<'_> {
             "component" => self.numbered_component(phrase, declaration)?,
             PART => self.part(phrase, declaration)?,
             ROTATION_MATRIX => self.rotation_about(phrase, declaration)?,
-            CROSS_PRODUCT_MATRIX => Quantity::CrossProductMatrix(
-                self.operand(phrase.slot(Slot::Of)?, declaration)?.boxed(),
-            ),
             CONJUGATE | SCALAR_PART | VECTOR_PART => {
                 self.part_of_quaternion(phrase, declaration)?
             }
-            IDENTITY_MATRIX => Quantity::Identity,
-            JACOBIAN => self.rate_matrix(phrase, declaration)?,
+            CROSS_PRODUCT_MATRIX | IDENTITY_MATRIX | JACOBIAN => {
+                self.matrix_of(phrase, declaration)?
+            }
             MASS if is_per_unit(phrase) => self.density(phrase, declaration)?,
             MASS => Quantity::Mass(self.whole_of(phrase)?),
             "volume" => self.volume(phrase)?,
             DENSITY => self.density(phrase, declaration)?,
             _ => return self.dynamic_quantity(phrase, declaration, relative),
         })
+    }
+
+    /// A matrix by its noun.
+    fn matrix_of(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        match phrase.head {
+            IDENTITY_MATRIX => Some(Quantity::Identity),
+            JACOBIAN => self.rate_matrix(phrase, declaration),
+            _ => {
+                let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+                Some(Quantity::CrossProductMatrix(of.boxed()))
+            }
+        }
     }
 
     /// The magnitude of a velocity; along an axis it is a component.

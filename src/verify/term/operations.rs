@@ -269,7 +269,12 @@ impl System {
         if a.is_vector() && b.is_row() && b.basis[1] == Basis::Written {
             return self.brought_together(a, &b.transposed(), custom);
         }
-        ill_typed(format!("{} is set equal to {}", a.shape(), b.shape()))
+        let unequal = format!("{} is set equal to {}", a.shape(), b.shape());
+        // Columns of two are for motion in a plane, which the model need not know of.
+        match a.rows == 2 || b.rows == 2 {
+            true => beyond(unequal),
+            false => ill_typed(unequal),
+        }
     }
 }
 
@@ -281,9 +286,9 @@ impl System {
         let across = 3 - axes[0] - axes[1];
         let entry = |row: usize, column: usize| &value.entries[row * value.columns + column];
         let zero = |&axis: &usize| entry(axis, across).is_zero() && entry(across, axis).is_zero();
-        let itself = value.basis.contains(&Basis::Itself);
+        let on_axes = |basis: &Basis| matches!(basis, Basis::On(_));
         match (value.rows, value.columns, value.basis[0]) {
-            (3, 3, _) if !itself && axes.iter().all(zero) => {
+            (3, 3, _) if value.basis.iter().all(on_axes) && axes.iter().all(zero) => {
                 let pairs = axes
                     .iter()
                     .flat_map(|&row| axes.map(|column| (row, column)));

@@ -273,9 +273,9 @@ $$ \delta a=0 $$
 $$ \delta(ma)=m\,\delta a $$
 ";
     let by_others = format!("{sentences}$a=2b$.\n");
-    assert_eq!(verdicts(&by_others, text).0, "uuuu");
+    assert_eq!(verdicts(&by_others, text).0, "puup");
     let as_number = format!("{sentences}$a=2$.\n");
-    assert_eq!(verdicts(&as_number, text).0, "uuuu");
+    assert_eq!(verdicts(&as_number, text).0, "puup");
 }
 
 #[test]

@@ -78,6 +78,8 @@ P lies at the distance $l$ from O along $a$.
 E is the mass centre of link 1.
 E is placed from O by $e a$.
 H is the mass centre of link 2.
+$c$, $d$, $z$ are the axes of B.
+H lies at the distance $h$ from P along $c$.
 $J$ is the moment of inertia of link 1 about the axis through O along $z$.
 $\mathbf F$ is the force of link 1 on link 2 at P.
 $s$ is the moment of the base on link 1 along $z$.
