@@ -2,8 +2,9 @@
 //! sentences speak of neighbours, each thing is one of its own, called by its number.
 
 use super::heads::UNIT_VECTOR;
+use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::notation::{Macros, read_formula};
+use crate::notation::Macros;
 use std::collections::BTreeSet;
 
 /// The neighbours in a chain, by what their numbers have behind the letter.
@@ -249,9 +250,7 @@ const AXIS: &str = "a_{\\text{joint ";
 /// The letter of the axis of a joint.
 fn joint_axis(joint: &str) -> Option<Formula> {
     let number = joint.strip_prefix("joint ")?;
-    let source = format!("{AXIS}{number}}}}}");
-    let row = read_formula(&source, 0, &Macros::default()).pop()?;
-    Some(Formula { source, row })
+    formula(&format!("{AXIS}{number}}}}}"), false, &Macros::default())
 }
 
 /// "The axis of joint `$i$` is fixed in frame `$i-1$` and in frame `$i$`": a unit vector is.

@@ -187,6 +187,7 @@ pub(crate) struct System {
     pub(crate) ground: FrameId,
     /// The frame on which components are worked with.
     pub(crate) work: FrameId,
+    /// Where columns of two are, if sentences say so or tell the plane of a motion.
     pub(crate) axis_pair: Option<AxisPair>,
     /// Whether each quantity keeps a variable of its own where a law gives its value in one term, or as it is seen from
     /// another frame: then what a line says can be told from what the laws make of it.

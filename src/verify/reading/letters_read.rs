@@ -34,10 +34,10 @@ use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 
-/// Nouns that name no quantity: others hear of these things.
-/// Shapes that are halves of others, of which a part lies where no sentence can say yet.
+/// Shapes that are halves of others, of which no tensor is known.
 const HALVES: [&str; 3] = ["half-disc", "half-cylinder", "half-ring"];
 
+/// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 24] = [
     PLANE_OF_SYMMETRY,
     "frame",

@@ -37,10 +37,16 @@ impl Builder<'_> {
 
     /// "in components on x and y": two axes of one frame.
     pub(super) fn pair_of_axes(&self, phrase: &NounPhrase) -> Option<(FrameId, [usize; 2])> {
-        let axes: Option<Vec<(FrameId, usize)>> = phrase
-            .all(Slot::On)
-            .map(|on| self.axis_of_frame(on))
-            .collect();
+        self.pair_of(phrase.all(Slot::On).cloned())
+    }
+
+    /// Two axes of one frame.
+    pub(super) fn pair_of(
+        &self,
+        axes: impl Iterator<Item = Term>,
+    ) -> Option<(FrameId, [usize; 2])> {
+        let axes: Option<Vec<(FrameId, usize)>> =
+            axes.map(|axis| self.axis_of_frame(&axis)).collect();
         match axes?.as_slice() {
             &[(frame, one), (other, two)] if frame == other && one != two => {
                 Some((frame, [one, two]))

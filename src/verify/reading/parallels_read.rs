@@ -205,13 +205,9 @@ impl Builder<'_> {
         let [(Slot::In, Term::Phrase(plane))] = slots else {
             return;
         };
-        let axes = plane.all(Slot::Of).flat_map(one_by_one);
-        let axes: Option<Vec<_>> = axes.map(|axis| self.axis_of_frame(&axis)).collect();
-        if let Some(&[(frame, one), (other, two)]) = axes.as_deref()
-            && frame == other
-            && one != two
-        {
-            let (axes, told) = ([one, two], false);
+        let pair = self.pair_of(plane.all(Slot::Of).flat_map(one_by_one));
+        if let Some((frame, axes)) = pair {
+            let told = false;
             let pair = AxisPair { frame, axes, told };
             self.system().axis_pair.get_or_insert(pair);
         }

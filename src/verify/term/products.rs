@@ -133,7 +133,7 @@ impl Lowering<'_> {
         if let Some(raised) = self.raised_call(run) {
             return Some((2, self.value(&raised)));
         }
-        if let Some(found) = self.phrase(run).or_else(|| self.rate_of_phrase(run)) {
+        if let Some(found) = self.phrase(run).or_else(|| self.rate_of_call(run)) {
             return Some(found);
         }
         if let Some(matrix) = self.matrix_of_angle(run) {
@@ -327,32 +327,20 @@ impl Lowering<'_> {
     }
 
     /// `\dot R(\psi)`, where `R(\psi)` has a meaning as a whole.
-    fn rate_of_phrase(&mut self, run: &[&Node]) -> Option<(usize, Valued)> {
+    fn rate_of_call(&mut self, run: &[&Node]) -> Option<(usize, Valued)> {
         let [rate, argument, ..] = run else {
             return None;
         };
-        let Kind::TimeDerivative {
-            operand,
-            order,
-            style,
-            frame,
-        } = &rate.kind
+        let (Kind::TimeDerivative { .. }, Kind::Group(Bracket::Round, inner)) =
+            (&rate.kind, &argument.kind)
         else {
             return None;
         };
-        let Kind::Group(Bracket::Round, inner) = &argument.kind else {
-            return None;
-        };
-        if !self.letters.has_wholes() {
-            return None;
-        }
         let call = Node {
-            kind: Kind::Call(operand.clone(), vec![(**inner).clone()]),
+            kind: Kind::Call(Box::new((*rate).clone()), vec![(**inner).clone()]),
             span: rate.span,
         };
-        let value = self.meaning_of(&spelled(&call), Some(&loosely(&call)), 1)?;
-        let rate = value.and_then(|value| self.rate_of(&value, *order, *style, frame.as_ref()));
-        Some((2, rate))
+        Some((2, self.as_a_whole(&call)?))
     }
 
     /// Two values with a sign between them.
