@@ -21,6 +21,8 @@ pub(crate) const NO_NUMBERS: &str = "no numbers were found in which it fails";
 pub(crate) const SQUARES_DIFFER: &str = "the squares of the sides differ";
 pub(crate) const OPEN_RELATION: &str = "this relation is not decided";
 pub(crate) const SMALL_BY_OTHERS: &str = "what is small is told by other letters";
+pub(crate) const LOADS_NOT_LISTED: &str =
+    "no sentence says which loads are the only ones on the body on which this one acts";
 pub(crate) const ONE_ELEMENT: &str =
     "something of a single element is left over, such as a density that may vary";
 pub(crate) const UNTIED: &str = "a value at an instant is not worked out";

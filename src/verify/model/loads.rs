@@ -37,6 +37,8 @@ pub(crate) struct Load {
     pub(crate) on: Option<BodyId>,
     /// Whether it is a part of another load, which is counted already.
     pub(crate) part: bool,
+    /// Whether a sentence says which loads are the only ones on the body.
+    pub(crate) listed: bool,
 }
 
 impl Load {
@@ -49,6 +51,7 @@ impl Load {
             lasting: Lasting::Always,
             on,
             part: false,
+            listed: false,
         }
     }
 

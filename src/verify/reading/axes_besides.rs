@@ -54,7 +54,7 @@ impl Builder<'_> {
             let which = what.slot(Slot::Which);
             for (place, subject) in subjects.iter().enumerate() {
                 let axis = match what.head {
-                    "axes" => Some(place),
+                    "axes" => Some(place).filter(|place| *place < 3),
                     "axis" => which.and_then(|which| self.number_of_axis(which)),
                     _ => None,
                 };

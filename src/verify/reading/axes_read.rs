@@ -111,7 +111,10 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         };
         let on = what.slot(Slot::On).and_then(|on| self.frame(on));
-        for (axis, subject) in subjects.iter().take(3).enumerate() {
+        if subjects.len() > 3 {
+            return self.say_unused(declaration);
+        }
+        for (axis, subject) in subjects.iter().enumerate() {
             match (on, subject) {
                 (Some(on), Term::Formula(letter)) => {
                     self.denote_column(letter, (frame, axis), on, declaration);

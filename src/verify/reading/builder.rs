@@ -88,6 +88,7 @@ pub(crate) fn build(
     builder.step_functions();
     builder.hold_told_places();
     builder.hold_masses();
+    builder.hold_all_meanings();
     builder.hold_midpoints();
     builder.hold_corners();
     builder.hold_fixed_frames();

@@ -233,6 +233,7 @@ impl Builder<'_> {
             "angle" if what.slot(Slot::Between).is_some() => {
                 self.read_angle(subjects, what, declaration)
             }
+            "angle" if self.is_angle_by_turns(subjects, what, declaration) => Some(()),
             "entry" => self.read_entries(subjects, what, declaration),
             "value" => self.read_value(subjects, what, declaration),
             PERIOD | FREQUENCY | ANGULAR_FREQUENCY => {

@@ -58,6 +58,7 @@ impl Builder<'_> {
                     lasting: Lasting::Always,
                     on: Some(pair.on),
                     part: false,
+                    listed: false,
                 }
             }
         };
@@ -210,6 +211,15 @@ impl Builder<'_> {
             true => Some((*load).clone()),
             false => load.opposite(),
         }
+    }
+
+    /// The loads on the body of a list are told, and no others act on it.
+    pub(super) fn mark_listed(&mut self, premise: &NounPhrase) {
+        let body = self.body_of(premise);
+        let loads = self.reading.system.loads.iter_mut();
+        loads
+            .filter(|load| load.on.is_some() && load.on == body)
+            .for_each(|load| load.listed = true);
     }
 
     fn acting_pair(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Pair> {

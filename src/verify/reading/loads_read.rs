@@ -243,6 +243,7 @@ impl Builder<'_> {
             lasting: lasting_of(acting.head),
             on: acting.on,
             part: false,
+            listed: false,
         });
     }
 

@@ -120,6 +120,7 @@ impl Builder<'_> {
             lasting: Lasting::Always,
             on: Some(on),
             part: false,
+            listed: false,
         });
     }
 

@@ -251,6 +251,7 @@ impl Builder<'_> {
                 lasting: *lasting,
                 on: Some(*body),
                 part: true,
+                listed: true,
             });
         }
         // The moment first: proofs come out where its variables have the lower numbers.

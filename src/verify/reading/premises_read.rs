@@ -152,9 +152,9 @@ impl Builder<'_> {
             "force" if premise.is("no") => self.no_force(premise, declaration),
             "load" if premise.is("only") && self.lists_drive(premise) => Some(()),
             "load" | "force" if premise.is("only") && self.is_list_of_joined(premise) => Some(()),
-            "load" | "force" | "impulse" if premise.is("only") => {
-                self.only_loads(premise, declaration)
-            }
+            "load" | "force" | "impulse" if premise.is("only") => self
+                .only_loads(premise, declaration)
+                .map(|()| self.mark_listed(premise)),
             "load" if premise.is("no") => self
                 .no_force(premise, declaration)
                 .and_then(|()| self.no_moment(premise, declaration)),

@@ -161,6 +161,7 @@ impl Builder<'_> {
             at: Some(at),
             value,
             part,
+            listed: false,
             on: None,
             lasting: Lasting::Always,
         });

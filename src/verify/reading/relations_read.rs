@@ -1,9 +1,10 @@
 //! What ties letters and directions together: angles between, entries of a tensor, sizes, energies, heights.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
-use crate::verify::model::system::{FrameId, Vector};
+use crate::verify::model::system::{Frame, FrameId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{node_of, reach_of, told};
@@ -56,6 +57,46 @@ impl Builder<'_> {
         let length = self.system().atoms.root(&lengths)?;
         self.hold(one.dot(&other) - length * cosine, declaration);
         Some(())
+    }
+
+    /// "`$\theta$` is the angle from z to n", where n is turned by it: the turns tell no less.
+    pub(super) fn is_angle_by_turns(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> bool {
+        let follows = self.angle_of_turns(subjects, what, declaration);
+        follows.is_some_and(|difference| difference.is_zero())
+    }
+
+    /// By how much the cosine of the angle of a turn differs from that of the angle that it is said to be.
+    fn angle_of_turns(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Fraction> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
+        let (from, to) = (what.slot(Slot::From)?, what.slot(Slot::To)?);
+        let angle = self.scalar(letter, declaration)?;
+        let by_it = |frame: &Frame| match &frame.turn {
+            Turn::Angle(_, by) | Turn::About(_, by) => **by == angle,
+            _ => false,
+        };
+        if !self.reading.system.frames.iter().any(by_it) {
+            return None;
+        }
+        let (from, to) = (
+            self.vector(from, declaration)?,
+            self.vector(to, declaration)?,
+        );
+        let (cosine, _) = self.system().atoms.cosine_sine(&angle)?;
+        let lengths = from.dot(&from) * to.dot(&to);
+        let length = self.system().atoms.root(&lengths)?;
+        Some(from.dot(&to) - length * cosine)
     }
 
     /// The vector that a term names: a letter, an axis, a position.

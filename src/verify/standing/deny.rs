@@ -10,6 +10,8 @@ use crate::verify::facts::small::Small;
 use crate::verify::facts::world::World;
 use crate::verify::language::messages;
 use crate::verify::model::atoms::Nature;
+use crate::verify::model::loads::Called;
+use crate::verify::model::system::BodyId;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
@@ -19,6 +21,7 @@ use crate::verify::standing::shown::shown;
 use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::integrals::has_integral;
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 impl Judge<'_> {
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
@@ -29,6 +32,10 @@ impl Judge<'_> {
         }
         if let Some(line) = self.again.not_taken_in.first() {
             held.doubt = Some(messages::not_taken_in(&line.text()));
+            return;
+        }
+        if self.speaks_of_unlisted_load(residuals) {
+            held.doubt = Some(messages::LOADS_NOT_LISTED.into());
             return;
         }
         if self.speaks_of_one_element(link, residuals) {
@@ -49,6 +56,25 @@ impl Judge<'_> {
                 held.beyond = true;
             }
         }
+    }
+
+    /// Whether a difference has what one body does to another, of both of which no sentence says that nothing else acts there:
+    /// by what they do to each other alone the difference may vanish.
+    fn speaks_of_unlisted_load(&self, residuals: &[Fraction]) -> bool {
+        let told: BTreeSet<Variable> = residuals.iter().flat_map(Fraction::variables).collect();
+        let loads = &self.reading.system.loads;
+        let listed = |body: BodyId| {
+            loads
+                .iter()
+                .any(|load| load.listed && load.on == Some(body))
+        };
+        loads.iter().any(|load| {
+            let Called::Between(_, agent, on) = load.called else {
+                return false;
+            };
+            let mut letters = load.value.iter().flat_map(Fraction::variables);
+            !listed(agent) && !listed(on) && letters.any(|letter| told.contains(&letter))
+        })
     }
 
     /// Keeps in mind a line that is taken as given and of which nothing is made: others may hold by it.

@@ -1,0 +1,44 @@
+//! Letters of which several sentences say what they are: each of them holds.
+
+use crate::verify::language::statement::Declaration;
+use crate::verify::reading::builder::Builder;
+use crate::verify::term::letters::{Letter, Meaning};
+use crate::verify::term::quantity::Quantity;
+
+impl<'a> Builder<'a> {
+    /// "`$J$` is the moment of inertia of A about O. `$J$` is the moment of inertia of B about P": the two are the same.
+    pub(super) fn hold_all_meanings(&mut self) {
+        for (first, other, declaration) in self.told_twice() {
+            let values = [first, other].map(|quantity| self.system().value_of(&quantity));
+            match values {
+                [Ok(first), Ok(other)] => self.hold_equal(&first, &other, declaration),
+                _ => self.say_unused(declaration),
+            }
+        }
+    }
+
+    /// What the first sentence says a letter is, and what another one says, with that sentence.
+    fn told_twice(&self) -> Vec<(Quantity, Quantity, &'a Declaration)> {
+        let letters = &self.reading.letters.letters;
+        let mut twice = vec![];
+        for (at, letter) in letters.iter().enumerate() {
+            let same = |other: &&Letter| is_same_letter(other, letter);
+            let first = letters[..at].iter().find(same);
+            let sentence = |d: &&Declaration| d.text == letter.sentence;
+            let declaration = self.declarations.iter().find(sentence);
+            let meanings = first.map(|first| (&first.meaning, &letter.meaning));
+            if let Some((Meaning::Quantity(first), Meaning::Quantity(other))) = meanings
+                && let Some(declaration) = declaration.filter(|_| first != other)
+            {
+                twice.push((first.clone(), other.clone(), declaration));
+            }
+        }
+        twice
+    }
+}
+
+/// Whether two sentences speak of one letter in one part of the document.
+fn is_same_letter(one: &Letter, other: &Letter) -> bool {
+    let besides = one.besides || other.besides;
+    one.spelled == other.spelled && one.reach == other.reach && !besides
+}
