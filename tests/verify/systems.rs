@@ -11,6 +11,7 @@ mod incline;
 mod instants;
 mod integrals;
 mod letters;
+mod lists_and_asides;
 mod loads;
 
 mod loads_in_words;

@@ -42,7 +42,7 @@ const BEFORE: [&str; 25] = [
 ];
 
 /// Words by which two bodies of one kind are told apart: they are parts of their names.
-const APART: [&str; 20] = [
+pub(super) const APART: [&str; 20] = [
     "upper", "lower", "inner", "outer", "front", "rear", "back", "left", "right", "top", "bottom",
     "middle", "driving", "driven", "fore", "aft", "near", "far", "leading", "trailing",
 ];

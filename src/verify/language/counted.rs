@@ -116,14 +116,35 @@ fn number_parts(declarations: &mut Vec<Declaration>, at: usize) -> Vec<Counted> 
     }
     let counted: Vec<Counted> = counted.into_iter().flatten().collect();
     for own in &counted {
-        let are = own.what.clone().map(|what| Statement::Is {
+        let are = own.what.iter().flat_map(without_likeness);
+        let are = are.map(|what| Statement::Is {
             subjects: own.names().collect(),
             what,
         });
-        let are = are.map(|are| declarations[at].saying(are));
+        let are: Vec<Declaration> = are.map(|are| declarations[at].saying(are)).collect();
         declarations.extend(are);
     }
     counted
+}
+
+/// "Equal wheels": what they are, and that they are equal.
+fn without_likeness(what: &NounPhrase) -> Vec<NounPhrase> {
+    let mut plain = what.clone();
+    plain.adjectives.retain(|said| *said != EQUAL);
+    let equal = what.is(EQUAL).then(|| NounPhrase::new(EQUAL, vec![]));
+    std::iter::once(plain).chain(equal).collect()
+}
+
+const EQUAL: &str = "equal";
+
+/// The names of things of a family that are counted: "three wheels".
+pub(super) fn names_of_counted(part: &Term, family: &str) -> Option<Vec<Term>> {
+    let Term::Phrase(part) = part else {
+        return None;
+    };
+    let count = COUNTS.iter().find(|(word, _)| part.is(word))?.1;
+    let name = |number| Term::Name(format!("{family} {number}"));
+    (part.head == family && is_body(part.head)).then(|| (1..=count).map(name).collect())
 }
 
 /// "two particles of mass `$m$`", "the rods": how many of what, and what they are.

@@ -2,63 +2,24 @@
 
 use super::absences::part_absences;
 use super::anaphora::{referring, with_it_inside, with_its};
-use super::at_zero::tell_axes_at_zero;
 use super::bodies::introduced;
-use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
+use super::both::{called_alone, counting_letters, tell_both, tell_each};
 use super::capital_names::keep_capitals;
 use super::clause::Said;
-use super::constancy::tell_constants;
-use super::counted::{lay_in_turn, number_counted, part_first};
-use super::disturbed::tell_disturbed;
 use super::ellipsis::{joint_weakness, parted_at};
-use super::entries::{tell_entries, tell_parts};
-use super::fixed_axes::name_fixed_axes;
-use super::flat_bodies::turn_in_own_planes;
-use super::gyration::tell_gyration;
-use super::hinges::{name_ends, tell_hinges};
-use super::in_turn::{part_letters, part_respectively};
-use super::introduce::introduce;
+use super::in_lists::{join_adjectives, tell_ends_of_lines, tell_listed_apart};
 use super::kept::{kept, may_be_limited, speak_of_subjects};
-use super::kinds::{
-    centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, place_particles,
-    shape_by_name, show_frames, tell_axes, tell_mass_centres,
-};
 use super::lexicon::Lexicon;
-use super::member_wheels::turn_members;
-use super::mounted::mount_wheels;
-use super::named_members::name_members;
-use super::numbered_frames::name_frames_by_numbers;
-use super::on_lines::place_on_lines;
-use super::on_rings::place_on_rings;
-use super::owners::{give_to_bodies, say_of_loads};
-use super::placed_centres::name_placed_centres;
-use super::placed_points::name_placed_points;
-use super::places::{begin_rods, tell_places, tell_reach};
-use super::plain_letters::{name_bodies, write_letters};
-use super::plain_things::{
-    hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
-};
-use super::planar::turn_in_planes;
+use super::plain_terms::in_plain_terms;
 use super::reader::Reader;
 use super::reorder::{
     axes, compounds, described_first, fronted, indexed_by_any, possessives, told_beside,
     without_brackets, without_ranges,
 };
 use super::rewrite::plainly;
-use super::rigid_wholes::fix_particles;
-use super::same::{
-    leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
-};
-use super::sides::tell_sides;
-use super::spins::turn_about_axes_of_symmetry;
+use super::same_lines::on_same_lines;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
-use super::suspended::tell_suspended;
-use super::together::join_together;
 use super::told_apart::told_apart;
-use super::told_in_parts::say_in_parts;
-use super::turned_lines::turn_lines;
-use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
-use super::weights::tell_gravity;
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -85,6 +46,14 @@ pub fn read_declarations(
     keep_capitals(&mut parted);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let bodies = introduced(understood, lexicon);
+    let all = || parted.iter().flatten().map(Vec::as_slice);
+    let (counting, alone) = (counting_letters(all()), called_alone(all()));
+    for tokens in parted.iter_mut().flatten() {
+        let named = tell_both(tokens, &bodies, &alone).or_else(|| tell_each(tokens, &counting));
+        if let Some(named) = named {
+            *tokens = named;
+        }
+    }
     let (mut declarations, mut misread) = (vec![], vec![]);
     let mut before: Vec<&[Token]> = vec![];
     for ((line, sentence), tokens) in sentences.iter().zip(&parted) {
@@ -93,8 +62,10 @@ pub fn read_declarations(
         let said = match tokens {
             Ok(tokens) => {
                 let said = reader(tokens).or_else(|error| {
-                    let others = referring(tokens, &before, lexicon);
-                    let read = others.iter().find_map(|other| reader(other).ok());
+                    let last = before.last();
+                    let there = last.and_then(|before| on_same_lines(tokens, before));
+                    let others = there.into_iter().chain(referring(tokens, &before, lexicon));
+                    let read = others.into_iter().find_map(|other| reader(&other).ok());
                     read.ok_or(error)
                 });
                 before.push(tokens);
@@ -123,96 +94,6 @@ pub fn read_declarations(
     }
     part_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
-}
-
-/// What sentences say, in the terms that the model has: each thing by one name, letters as formulas.
-fn in_plain_terms(
-    mut declarations: Vec<Declaration>,
-    macros: &Macros,
-    lexicon: &Lexicon,
-) -> Vec<Declaration> {
-    name_frames_by_numbers(&mut declarations);
-    let respectively = part_first(part_respectively(declarations));
-    declarations = turn_in_order(part_centres(part_letters(respectively)));
-    write_letters(&mut declarations, lexicon, macros);
-    name_bodies(&mut declarations);
-    say_of_things(&mut declarations);
-    hang_on_quantities(&mut declarations);
-    tell_disturbed(&mut declarations);
-    tell_normals(&mut declarations);
-    end_the_same(&mut declarations);
-    share_owners(&mut declarations);
-    tell_the_same(&mut declarations);
-    tell_columns(&mut declarations);
-    leave_long_names(&mut declarations);
-    name_by_formulas(&mut declarations);
-    tell_relations(&mut declarations);
-    tell_turning(&mut declarations);
-    tell_matrices(&mut declarations);
-    name_plainly(&mut declarations);
-    say_of_loads(&mut declarations);
-    name_fixed_axes(&mut declarations, macros);
-    tell_upright_axes(&mut declarations);
-    name_members(&mut declarations);
-    number_counted(&mut declarations);
-    fix_particles(&mut declarations);
-    lay_in_turn(&mut declarations);
-    name_placed_points(&mut declarations);
-    tell_named_things(&mut declarations);
-    tell_places(&mut declarations);
-    tell_reach(&mut declarations);
-    tell_sides(&mut declarations);
-    give_to_bodies(&mut declarations);
-    join_together(&mut declarations);
-    tell_gravity(&mut declarations);
-    turn_by_aircraft_angles(&mut declarations);
-    tell_constants(&mut declarations);
-    name_positions(&mut declarations);
-    place_particles(&mut declarations);
-    name_numbered(&mut declarations);
-    tell_axes(&mut declarations);
-    tell_ends(&mut declarations, macros);
-    move_along_lines(&mut declarations, macros);
-    tell_gyration(&mut declarations, macros);
-    fix_frames(&mut declarations);
-    shape_by_name(&mut declarations, lexicon);
-    centre_shapes(&mut declarations);
-    tell_parts(&mut declarations);
-    tell_entries(&mut declarations);
-    show_frames(&mut declarations);
-    introduce(&mut declarations);
-    name_the_only_one(&mut declarations, lexicon);
-    tell_mass_centres(&mut declarations);
-    turn_about_axes(&mut declarations);
-    say_in_parts(declarations)
-}
-
-/// Where bodies end, and where they are joined.
-fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    tell_axes_at_zero(declarations);
-    tell_hinges(declarations);
-    name_ends(declarations);
-    begin_rods(declarations, macros);
-    name_placed_centres(declarations);
-}
-
-/// What turns about the axes of frames and bodies, and what is fixed there.
-fn turn_about_axes(declarations: &mut Vec<Declaration>) {
-    turn_members(declarations);
-    mount_wheels(declarations);
-    turn_to_frames(declarations);
-    fix_pivots(declarations);
-    turn_about_axes_of_symmetry(declarations);
-}
-
-/// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
-fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    place_on_lines(declarations);
-    place_on_rings(declarations);
-    tell_suspended(declarations, macros);
-    turn_lines(declarations, macros);
-    turn_in_planes(declarations, macros);
-    turn_in_own_planes(declarations);
 }
 
 /// Reads one sentence. It makes several declarations where it speaks of several things or parts of the document.
@@ -337,7 +218,9 @@ fn understood(
         return Err(first);
     }
     let mut left = MOST_READINGS;
-    let mut now = plainly(&compounds(&possessives(&axes(tokens), lexicon), lexicon));
+    let ordered = compounds(&possessives(&axes(tokens), lexicon), lexicon);
+    let listed = tell_ends_of_lines(&join_adjectives(&ordered, lexicon));
+    let mut now = plainly(&tell_listed_apart(&listed).unwrap_or(listed));
     let mut error = match strictly(&now) {
         Ok(said) => return Ok(said),
         Err(error) => error,

@@ -121,7 +121,12 @@ fn moving_points(statement: &Statement) -> Vec<String> {
                 .filter_map(name)
                 .collect()
         }
-        Statement::Is { what, .. } if [POSITION, VELOCITY, ACCELERATION].contains(&what.head) => {
+        Statement::Is { what, .. } if what.head == POSITION => {
+            let ends = [Slot::Of, Slot::RelativeTo].into_iter();
+            let ends = ends.flat_map(|slot| what.all(slot));
+            ends.filter_map(name).collect()
+        }
+        Statement::Is { what, .. } if [VELOCITY, ACCELERATION].contains(&what.head) => {
             what.all(Slot::Of).filter_map(name).collect()
         }
         // "G is placed from Q by `$r$`"

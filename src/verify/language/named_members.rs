@@ -2,6 +2,7 @@
 //! is.
 
 use super::bodies::singular;
+use super::counted::names_of_counted;
 use super::is_thing;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::document::Row;
@@ -132,6 +133,16 @@ fn named(declarations: &[Declaration]) -> Option<Named> {
         .iter()
         .filter_map(|d| d.statement.does("consist"));
     let (_, parts) = wholes.next().filter(|_| wholes.next().is_none())?;
+    if let Some(members) = parts
+        .iter()
+        .find_map(|(_, part)| names_of_counted(part, &family))
+    {
+        return Some(Named {
+            family,
+            index,
+            members,
+        });
+    }
     let (members, of_family): (Vec<Term>, bool) = match parts {
         [(Slot::Of, Term::Phrase(all))] => {
             (all.all(Slot::Which).cloned().collect(), all.head == family)

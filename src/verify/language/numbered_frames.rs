@@ -39,6 +39,10 @@ fn number(term: &Term) -> Option<usize> {
             [number] => Some(*number),
             _ => None,
         },
+        Term::Phrase(phrase) => match (phrase.head, phrase.slots.as_slice()) {
+            ("frame", [(Slot::Which, which)]) => number(which),
+            _ => None,
+        },
         _ => None,
     }
 }

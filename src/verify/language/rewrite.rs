@@ -130,8 +130,13 @@ impl Rule {
         })
     }
 
-    /// Applied to the first clause that it fits; clauses end at semicolons.
+    /// Applied to the first clause that it fits; clauses end at semicolons. A rule of several clauses is one of the whole
+    /// sentence.
     fn applied_to_clause(&self, tokens: &[Token]) -> Option<Vec<Token>> {
+        if self.pattern.contains(&Piece::Sign(Kind::Semicolon)) {
+            let (_, bound) = matched(&self.pattern, tokens, true)?;
+            return self.written(&bound, tokens.first()?);
+        }
         let mut start = 0;
         for clause in tokens.split(|t| t.kind == Kind::Semicolon) {
             let end = start + clause.len();
@@ -214,8 +219,12 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
     let one_of = |words: &[String]| {
         let token = tokens.first()?;
         // The lower case of a formula is empty, but for that of a sign.
-        let spoken = token.kind == Kind::Word || token.kind == Kind::Formula;
-        (spoken && words.contains(&token.lower)).then_some(())
+        let spoken = match token.kind {
+            Kind::Word | Kind::Formula => &token.lower,
+            Kind::Number => &token.text,
+            _ => return None,
+        };
+        words.contains(spoken).then_some(())
     };
     match piece {
         Piece::Words(words) => one_of(words).and_then(|()| behind(1)),
@@ -235,7 +244,7 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             }
             // The last letter takes all that is left.
             let shortest = if rest.is_empty() && whole {
-                tokens.len()
+                tokens.len().max(1)
             } else {
                 1
             };

@@ -1,0 +1,104 @@
+//! Lists whose members a sentence goes on to speak of, and adjectives in a list.
+
+use super::lexicon::{Class, Lexicon};
+use super::phrase::ORDINALS;
+use super::rewrite::put_in;
+use super::sentence_parts::joins;
+use super::words::{Kind, Token};
+
+/// "`$i$`, `$j$`, `$k$`, the last of which points up" as "`$i$`, `$j$`, `$k$`; `$k$` points up", and so "of which the third".
+pub(crate) fn tell_listed_apart(tokens: &[Token]) -> Option<Vec<Token>> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let (at, which, behind) =
+        (1..words.len().saturating_sub(3)).find_map(|at| match words[at..at + 4] {
+            ["the", which, "of", "which" | "these" | "them"] | ["of", "which", "the", which] => {
+                Some((at, which, at + 4))
+            }
+            _ => None,
+        })?;
+    let end = tokens[..at].iter().rposition(|t| !joins(t))? + 1;
+    let list = &tokens[..end];
+    let members = members_at_end(list);
+    let member = match which {
+        "last" => members.len().checked_sub(1)?,
+        "latter" => members
+            .len()
+            .checked_sub(1)
+            .filter(|_| members.len() == 2)?,
+        "former" => Some(0).filter(|_| members.len() == 2)?,
+        ordinal => ORDINALS.iter().position(|o| *o == ordinal)?,
+    };
+    let member = (*members.get(member).filter(|_| members.len() > 1)?).clone();
+    let semicolon = put_in(Kind::Semicolon, "", &tokens[at]);
+    Some([list, &[semicolon, member], &tokens[behind..]].concat())
+}
+
+/// The letters of a list at the end of a clause.
+fn members_at_end(tokens: &[Token]) -> Vec<&Token> {
+    let letter = |t: &&Token| matches!(t.kind, Kind::Formula | Kind::Plain) || is_short(t);
+    let listed = tokens.iter().rev().take_while(|t| letter(t) || joins(t));
+    let mut members: Vec<&Token> = listed.filter(letter).collect();
+    members.reverse();
+    members
+}
+
+/// A name of one letter: "x".
+fn is_short(token: &Token) -> bool {
+    token.kind == Kind::Word && token.text.chars().count() == 1
+}
+
+/// "a thin, massless, straight rod" without the commas.
+pub(crate) fn join_adjectives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
+    let adjective = |t: &Token| {
+        lexicon
+            .find(&[t.lower.as_str()], &[Class::Adjective])
+            .is_some()
+    };
+    let between = |at: usize| {
+        let neighbours =
+            [at.checked_sub(1), Some(at + 1)].map(|at| at.and_then(|at| tokens.get(at)));
+        neighbours.iter().all(|t| t.is_some_and(adjective))
+    };
+    let kept = tokens.iter().enumerate();
+    let kept = kept.filter(|(at, t)| t.kind != Kind::Comma || !between(*at));
+    kept.map(|(_, t)| t.clone()).collect()
+}
+
+/// "the line AB" as "the line from A to B".
+pub(crate) fn tell_ends_of_lines(tokens: &[Token]) -> Vec<Token> {
+    let mut plain: Vec<Token> = vec![];
+    let mut told = false;
+    for token in tokens {
+        let line = plain
+            .last()
+            .is_some_and(|t| matches!(t.lower.as_str(), "line" | "segment"));
+        let towards = told
+            && plain
+                .last()
+                .is_some_and(|t| matches!(t.lower.as_str(), "from" | "to"));
+        match ends_of_line(token).filter(|_| line || towards) {
+            Some((from, to)) => {
+                told = true;
+                if !line {
+                    plain.extend(["the", "line"].map(|word| put_in(Kind::Word, word, token)));
+                }
+                for (word, point) in [("from", from), ("to", to)] {
+                    plain.extend([word, point].map(|word| put_in(Kind::Word, word, token)));
+                }
+            }
+            None => plain.push(token.clone()),
+        }
+    }
+    plain
+}
+
+/// Two points by their names in one word: "AB", "A1B2".
+fn ends_of_line(token: &Token) -> Option<(&str, &str)> {
+    let capital = |c: char| c.is_ascii_uppercase();
+    let behind = |c: char| c.is_ascii_digit() || c == '\'';
+    let text = token.text.as_str();
+    let second = text.char_indices().skip(1).find(|(_, c)| capital(*c))?.0;
+    let (from, to) = text.split_at(second);
+    let is_point = |name: &str| name.starts_with(capital) && name.chars().skip(1).all(behind);
+    (token.kind == Kind::Word && is_point(from) && is_point(to)).then_some((from, to))
+}

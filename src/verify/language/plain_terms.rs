@@ -1,0 +1,177 @@
+//! What sentences say in the terms that the model has: one pass after another, each brings one way to say a thing to the plain one.
+
+use super::at_zero::tell_axes_at_zero;
+use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
+use super::constancy::tell_constants;
+use super::counted::{lay_in_turn, number_counted, part_first};
+use super::disturbed::tell_disturbed;
+use super::entries::{tell_entries, tell_parts};
+use super::fixed_axes::name_fixed_axes;
+use super::flat_bodies::turn_in_own_planes;
+use super::gyration::tell_gyration;
+use super::hinges::{name_ends, tell_hinges};
+use super::in_turn::{part_letters, part_respectively};
+use super::introduce::introduce;
+use super::kinds::{
+    centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, place_particles,
+    shape_by_name, show_frames, tell_axes, tell_mass_centres,
+};
+use super::lexicon::Lexicon;
+use super::meeting_axes::fix_meeting_points;
+use super::member_wheels::turn_members;
+use super::mounted::mount_wheels;
+use super::named_members::name_members;
+use super::numbered_frames::name_frames_by_numbers;
+use super::on_lines::place_on_lines;
+use super::on_rings::place_on_rings;
+use super::owners::{give_to_bodies, say_of_loads};
+use super::placed_centres::name_placed_centres;
+use super::placed_points::name_placed_points;
+use super::places::{begin_rods, tell_places, tell_reach};
+use super::plain_letters::{name_bodies, write_letters};
+use super::plain_things::{
+    hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
+};
+use super::planar::turn_in_planes;
+use super::rigid_wholes::fix_particles;
+use super::same::{
+    leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
+};
+use super::sides::tell_sides;
+use super::spins::turn_about_axes_of_symmetry;
+use super::statement::Declaration;
+use super::suspended::tell_suspended;
+use super::together::join_together;
+use super::told_in_parts::say_in_parts;
+use super::triads::name_triads;
+use super::turned_lines::turn_lines;
+use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
+use super::weights::tell_gravity;
+use crate::notation::Macros;
+
+/// What sentences say, in the terms that the model has: each thing by one name, letters as formulas.
+pub(crate) fn in_plain_terms(
+    declarations: Vec<Declaration>,
+    macros: &Macros,
+    lexicon: &Lexicon,
+) -> Vec<Declaration> {
+    let mut declarations = name_things(declarations, macros, lexicon);
+    tell_turns(&mut declarations, macros);
+    count_members(&mut declarations);
+    place_points(&mut declarations);
+    tell_loads(&mut declarations);
+    tell_axes(&mut declarations);
+    tell_ends(&mut declarations, macros);
+    move_along_lines(&mut declarations, macros);
+    tell_gyration(&mut declarations, macros);
+    fix_frames(&mut declarations);
+    tell_shapes(&mut declarations, lexicon);
+    show_frames(&mut declarations);
+    introduce(&mut declarations);
+    name_the_only_one(&mut declarations, lexicon);
+    tell_mass_centres(&mut declarations);
+    turn_about_axes(&mut declarations);
+    say_in_parts(declarations)
+}
+
+/// Letters and names, and whose each quantity is.
+fn name_things(
+    mut declarations: Vec<Declaration>,
+    macros: &Macros,
+    lexicon: &Lexicon,
+) -> Vec<Declaration> {
+    name_frames_by_numbers(&mut declarations);
+    let respectively = part_first(part_respectively(declarations));
+    declarations = turn_in_order(part_centres(part_letters(respectively)));
+    write_letters(&mut declarations, lexicon, macros);
+    name_bodies(&mut declarations);
+    say_of_things(&mut declarations);
+    hang_on_quantities(&mut declarations);
+    tell_disturbed(&mut declarations);
+    tell_normals(&mut declarations);
+    end_the_same(&mut declarations);
+    share_owners(&mut declarations);
+    tell_the_same(&mut declarations);
+    tell_columns(&mut declarations);
+    leave_long_names(&mut declarations);
+    name_by_formulas(&mut declarations);
+    tell_relations(&mut declarations);
+    declarations
+}
+
+/// Turns of frames and bodies, and the axes about which they turn.
+fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    name_triads(declarations);
+    tell_turning(declarations);
+    tell_matrices(declarations);
+    name_plainly(declarations);
+    say_of_loads(declarations);
+    name_fixed_axes(declarations, macros);
+    tell_upright_axes(declarations);
+}
+
+/// Members of families, by their numbers and names.
+fn count_members(declarations: &mut Vec<Declaration>) {
+    name_members(declarations);
+    number_counted(declarations);
+    fix_particles(declarations);
+    lay_in_turn(declarations);
+}
+
+/// Points by the things and sides where they lie.
+fn place_points(declarations: &mut Vec<Declaration>) {
+    name_placed_points(declarations);
+    tell_named_things(declarations);
+    tell_places(declarations);
+    tell_reach(declarations);
+    tell_sides(declarations);
+}
+
+/// Loads and constants, and the positions of particles.
+fn tell_loads(declarations: &mut Vec<Declaration>) {
+    give_to_bodies(declarations);
+    join_together(declarations);
+    tell_gravity(declarations);
+    turn_by_aircraft_angles(declarations);
+    tell_constants(declarations);
+    name_positions(declarations);
+    place_particles(declarations);
+    name_numbered(declarations);
+}
+
+/// Bodies by their shapes, and entries of their tensors.
+fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
+    shape_by_name(declarations, lexicon);
+    centre_shapes(declarations);
+    tell_parts(declarations);
+    tell_entries(declarations);
+}
+
+/// Where bodies end, and where they are joined.
+fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    tell_axes_at_zero(declarations);
+    tell_hinges(declarations);
+    name_ends(declarations);
+    begin_rods(declarations, macros);
+    name_placed_centres(declarations);
+}
+
+/// What turns about the axes of frames and bodies, and what is fixed there.
+fn turn_about_axes(declarations: &mut Vec<Declaration>) {
+    fix_meeting_points(declarations);
+    turn_members(declarations);
+    mount_wheels(declarations);
+    turn_to_frames(declarations);
+    fix_pivots(declarations);
+    turn_about_axes_of_symmetry(declarations);
+}
+
+/// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
+fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    place_on_lines(declarations);
+    place_on_rings(declarations);
+    tell_suspended(declarations, macros);
+    turn_lines(declarations, macros);
+    turn_in_planes(declarations, macros);
+    turn_in_own_planes(declarations);
+}

@@ -1,0 +1,88 @@
+//! "There", "in it", "these lines": the part of the document of which the sentence before spoke.
+
+use super::rewrite::put_in;
+use super::words::{Kind, Token};
+
+/// Words that mean the part of the sentence before, at the beginning of a sentence.
+const THERE: [&[&str]; 6] = [
+    &["there"],
+    &["in", "it"],
+    &["in", "them"],
+    &["on", "it"],
+    &["on", "them"],
+    &["here", "too"],
+];
+
+/// Lines as a whole, anywhere in a sentence.
+const THESE_LINES: [&[&str]; 7] = [
+    &["both", "of", "these", "lines"],
+    &["all", "of", "these", "lines"],
+    &["these", "lines"],
+    &["those", "lines"],
+    &["the", "same", "lines"],
+    &["this", "line"],
+    &["that", "line"],
+];
+
+/// The sentence with the lines of which the sentence before spoke in the place of the words that mean them. None where it
+/// has no such words, or that sentence spoke of no lines or of several parts.
+pub(crate) fn on_same_lines(tokens: &[Token], before: &[Token]) -> Option<Vec<Token>> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let begins = |phrase: &&&[&str]| words.starts_with(phrase);
+    if let Some(there) = THERE.iter().find(begins) {
+        let (extent, place) = extent_of(before)?;
+        let rest = &tokens[there.len()..];
+        let comma = usize::from(rest.first()?.kind == Kind::Comma);
+        let on = place.then(|| put_in(Kind::Word, "on", &tokens[0]));
+        let on: Vec<Token> = on.into_iter().collect();
+        let comma_between = put_in(Kind::Comma, ",", &tokens[0]);
+        return Some([&on, extent, &[comma_between], &rest[comma..]].concat());
+    }
+    let (at, phrase) = (0..words.len()).find_map(|at| {
+        let found = THESE_LINES.iter().find(|p| words[at..].starts_with(p));
+        found.map(|phrase| (at, *phrase))
+    })?;
+    let lines = lines_named(before)?;
+    Some([&tokens[..at], lines, &tokens[at + phrase.len()..]].concat())
+}
+
+/// The part of which a sentence speaks, and whether it is named without a preposition.
+fn extent_of(sentence: &[Token]) -> Option<(&[Token], bool)> {
+    let lines = lines_named(sentence)?;
+    let first = sentence.first()?.lower.as_str();
+    let prepositions = ["on", "in", "from"];
+    let start = sentence.iter().position(|t| t.lower.starts_with("line"))?;
+    match prepositions.contains(&first) && start == 1 {
+        true => {
+            let end = start + lines.len();
+            let on = |t: &Token| matches!(t.lower.as_str(), "on" | "onwards" | "onward");
+            let open = first == "from" && sentence.get(end).is_some_and(on);
+            Some((&sentence[..end + usize::from(open)], false))
+        }
+        false => Some((lines, true)),
+    }
+}
+
+/// "lines 3 to 7", if a sentence names lines once.
+fn lines_named(sentence: &[Token]) -> Option<&[Token]> {
+    let named = |t: &Token| matches!(t.lower.as_str(), "line" | "lines");
+    let number = |t: Option<&Token>| t.is_some_and(|t| t.kind == Kind::Number);
+    let mut all =
+        (0..sentence.len()).filter(|&at| named(&sentence[at]) && number(sentence.get(at + 1)));
+    let (start, None) = (all.next()?, all.next()) else {
+        return None;
+    };
+    let mut end = start + 2;
+    let joint =
+        |t: &Token| t.kind == Kind::Comma || matches!(t.lower.as_str(), "and" | "to" | "through");
+    while let Some(joined) = sentence.get(end).filter(|t| joint(t)) {
+        let both =
+            joined.kind == Kind::Comma && sentence.get(end + 1).is_some_and(|t| t.lower == "and");
+        let next = end + 1 + usize::from(both);
+        if !number(sentence.get(next)) {
+            break;
+        }
+        end = next + 1;
+    }
+    Some(&sentence[start..end])
+}

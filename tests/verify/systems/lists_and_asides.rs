@@ -1,0 +1,180 @@
+//! Sentences as people write them: relative clauses, asides, words for "is", parts of the document meant by "there".
+
+use super::judged;
+
+#[test]
+fn frames_are_called_by_numbers_with_the_noun() {
+    let sentences = r"Frame 0 is an inertial frame.
+Frame 1 is a frame that turns relative to frame 0.
+$R_{1}^{0}$ takes components on frame 1 to components on frame 0.
+P is a point fixed in frame 1.
+O is the origin of frame 0 and of frame 1.
+$p^{1}$ is the position of P from O in components on frame 1.
+$p^{0}$ is the position of P from O in components on frame 0.
+A dot means the rate entry by entry.
+";
+    let text = r"
+$$ p^{0}=R_{1}^{0}p^{1} $$
+$$ \dot p^{0}=\dot R_{1}^{0}p^{1} $$
+$$ p^{1}=R_{1}^{0}p^{0} $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn a_right_handed_set_of_unit_vectors_fixed_in_a_body_is_its_axes() {
+    let sentences = r"The ground is an inertial frame.
+$a$, $b$ and $c$ form a right-handed set of unit vectors fixed in the drum.
+The drum turns relative to the ground about $c$ at the rate $w$.
+$u$ is the angular velocity of the drum relative to the ground.
+A dot over a vector means the rate seen from the ground.
+";
+    let text = r"
+$$ u=w\,c $$
+$$ a\times b=c $$
+$$ \dot a=w\,b $$
+$$ \dot a=-w\,b $$
+";
+    assert_eq!(judged(sentences, text), "pppr");
+}
+
+#[test]
+fn there_means_the_lines_of_the_sentence_before() {
+    let sentences = r"A is an inertial frame.
+B turns relative to A about $n$ by the angle $q$.
+$w$ is the component along $n$ of the angular velocity of B relative to A.
+On line 5 $q$ is constant.
+There, $w$ is zero.
+";
+    let text = r"
+$$ w=\dot q $$
+
+$$ w=0 $$
+$$ w=0 $$
+";
+    assert_eq!(judged(sentences, text).chars().next(), Some('p'));
+}
+
+#[test]
+fn the_last_of_several_is_told_beside() {
+    let sentences = r"The hall is an inertial frame.
+Its axes are $i$, $j$, $k$, the last of which points vertically up.
+P is a particle of mass $m$.
+$r$ is the position of P from O.
+O is fixed in the hall.
+$z$ is the component of $r$ along $k$.
+$g$ is the acceleration of gravity.
+The weight is the only load on P.
+A dot means the time derivative.
+";
+    let text = r"
+$$ \ddot z=-g $$
+$$ \ddot z=g $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn coordinates_are_counted_from_points() {
+    let sentences = r"N is an inertial frame.
+$i$, $j$, $k$ are the axes of N.
+O is a point fixed in N.
+$r$ is the position of P from O.
+The coordinate of P along $i$, counted from O, is denoted by $x$.
+$y$ and $z$ are the coordinates of P from O along $j$ and $k$.
+";
+    let text = r"
+$$ r=x\,i+y\,j+z\,k $$
+$$ r=x\,i+z\,j+y\,k $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn four_letters_are_no_axes_of_a_frame() {
+    let sentences = r"N is an inertial frame.
+$a$, $b$, $c$, $d$ are the axes of N.
+$w$ is the component of $d$ along $a$.
+";
+    let text = r"
+$$ w=0 $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn axes_that_meet_have_the_point_fixed_in_all_that_turns() {
+    let sentences = r"The base is an inertial frame.
+The fork turns relative to the base about $z$ by the angle $p$.
+The wheel turns relative to the fork about $n$ by the angle $q$.
+$n$ is a unit vector fixed in the fork and in the wheel.
+Both axes meet at O.
+$v$ is the velocity of the point O of the wheel relative to the base.
+$r$ is the position of P from O.
+P is a point fixed in the wheel.
+$w$ is the angular velocity of the wheel relative to the base.
+$u$ is the velocity of P relative to the base.
+";
+    let text = r"
+$$ u=w\times r $$
+$$ u=r\times w $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_letter_that_two_sentences_tell_is_both() {
+    let sentences = r"N is an inertial frame.
+A and B are rigid bodies.
+$a$ is a unit vector fixed in N, in A and in B.
+A turns relative to N about $a$ at the rate $p$.
+B turns relative to N about $a$ at the rate $q$.
+O is a point fixed in N, in A and in B.
+$J$ is the moment of inertia of A about the axis through O along $a$.
+$J$ is the moment of inertia of B about the axis through O along $a$.
+The system consists of A and B.
+$L$ is the angular momentum of the system about O along $a$.
+";
+    let text = r"
+$$ L=J(p+q) $$
+$$ L=J(p-q) $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn each_of_three_wheels_has_the_same_inertia() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the hub, with axes $b_1$, $b_2$, $b_3$.
+The satellite consists of the hub and three identical wheels.
+$i$ numbers the wheels.
+G is the mass centre of the satellite.
+Wheel $i$ turns relative to the hub about $b_i$ at the rate $w_i$, is symmetric about that axis, and has its mass centre fixed in the hub.
+$J$ is the moment of inertia of each wheel about its spin axis.
+$K$ is the inertia tensor of the satellite, wheels included, about G.
+$u$ is the angular velocity of B relative to N.
+$h$ is the angular momentum of the satellite about G relative to N.
+";
+    let text = r"
+$$ h=Ku+J(w_1b_1+w_2b_2+w_3b_3) $$
+$$ h=Ku+J(w_1b_1+w_2b_2-w_3b_3) $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn both_bodies_of_a_kind_are_meant_by_one_word() {
+    let sentences = r"The base is an inertial frame.
+O is fixed in the base.
+The outer gimbal turns relative to the base about $k$ by the angle $p$.
+The inner gimbal turns relative to the outer gimbal about $n$ by the angle $q$.
+$k$ is a unit vector fixed in the base and in the outer gimbal.
+$n$ is a unit vector fixed in both gimbals.
+$u$ and $v$ are the angular velocities of the outer gimbal and of the inner gimbal relative to the base.
+";
+    let text = r"
+$$ v=u+\dot q\,n $$
+$$ v=u-\dot q\,n $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
