@@ -13,7 +13,7 @@ pub(crate) const LONGEST_NAME: usize = 4;
 const MOST_BODIES: usize = 300;
 
 /// Words before the name of a body, beside the nouns of which only bodies have something.
-const BEFORE: [&str; 25] = [
+const BEFORE: [&str; 27] = [
     "mass of",
     "masses of",
     "attitude of",
@@ -24,6 +24,8 @@ const BEFORE: [&str; 25] = [
     "relative to the",
     "consists of",
     "consist of",
+    "comprises",
+    "comprise",
     "numbers",
     "acts on",
     "act on",
@@ -46,6 +48,9 @@ pub(super) const APART: [&str; 20] = [
     "upper", "lower", "inner", "outer", "front", "rear", "back", "left", "right", "top", "bottom",
     "middle", "driving", "driven", "fore", "aft", "near", "far", "leading", "trailing",
 ];
+
+/// Words that say of a body that nothing of it is left out.
+const ENTIRE: [&str; 3] = ["whole", "entire", "complete"];
 
 /// Shapes that are called right where their axis is perpendicular to their base.
 const RIGHT: [&str; 3] = ["cylinder", "cone", "prism"];
@@ -281,6 +286,13 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             && word.chars().all(|c| c.is_alphabetic() || c == '-')
             && (token.text == word || end == 0);
         if !plain || is_glue(word) || ARTICLES.contains(&word) || !may_name(word) {
+            break;
+        }
+        // "the mass of the whole mallet" is that of the mallet
+        let more = tokens
+            .get(end + 1)
+            .filter(|t| t.kind == Kind::Word && !is_glue(&t.lower));
+        if end == start && ENTIRE.contains(&word) && more.is_some() {
             break;
         }
         if end == start && tells_apart(&tokens[end..], lexicon) {

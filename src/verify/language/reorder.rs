@@ -25,10 +25,46 @@ fn parts_of_order<'t>(token: &'t Token, next: Option<&Token>) -> Vec<&'t str> {
     }
 }
 
+/// Nouns of what two axes tell apart.
+const OF_TWO_AXES: [&str; 4] = ["entry", "element", "component", "plane"];
+
+/// "the xy entry" as "the entry (x, y)", "the xz plane" as "the plane of x and z".
+fn by_two_axes(token: &Token, noun: Option<&Token>) -> Option<Vec<Token>> {
+    let noun = noun.filter(|noun| OF_TWO_AXES.contains(&noun.lower.as_str()))?;
+    let mut letters = token.text.chars();
+    let (first, second) = (letters.next()?, letters.next()?);
+    let axis = |c: char| "xyzXYZ".contains(c);
+    if token.kind != Kind::Word || letters.next().is_some() || !axis(first) || !axis(second) {
+        return None;
+    }
+    let word = |text: &str| put_in(Kind::Word, text, token);
+    let sign = |kind| put_in(kind, "", token);
+    let [first, second] = [first, second].map(|axis| word(&axis.to_string()));
+    let pair = match noun.lower.as_str() {
+        "plane" => vec![word("of"), first, word("and"), second],
+        _ => vec![
+            sign(Kind::Open),
+            first,
+            sign(Kind::Comma),
+            second,
+            sign(Kind::Close),
+        ],
+    };
+    Some([vec![noun.clone()], pair].concat())
+}
+
 /// "the z axis" as "the axis z", "the sequence 3-1-3" as "the sequence 3, 1, 3".
 pub(crate) fn axes(tokens: &[Token]) -> Vec<Token> {
     let mut plain: Vec<Token> = vec![];
+    let mut pair_ends = 0;
     for (at, token) in tokens.iter().enumerate() {
+        if let Some(pair) = by_two_axes(token, tokens.get(at + 1)) {
+            plain.extend(pair);
+            pair_ends = at + 2;
+        }
+        if at < pair_ends {
+            continue;
+        }
         let parts = parts_of_order(token, tokens.get(at + 1));
         let short = |part: &&str| part.chars().count() == 1;
         let axis = |t: &Token| matches!(t.lower.as_str(), "axis" | "axes");
@@ -71,9 +107,8 @@ pub(crate) fn possessives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
             break;
         };
         let words: Vec<&str> = tokens[at + 1..].iter().map(|t| t.lower.as_str()).collect();
-        let adjectives = usize::from(lexicon.find(&words, &[Class::Adjective]).is_some());
         let noun = [Class::Noun, Class::Place, Class::Thing];
-        let Some(found) = [0, adjectives].iter().find_map(|&skip| {
+        let Some(found) = [0, 1].into_iter().find_map(|skip| {
             let found = lexicon.find(words.get(skip..)?, &noun)?;
             Some(skip + found.length)
         }) else {
