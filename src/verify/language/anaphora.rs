@@ -1,10 +1,11 @@
 //! Words that stand for what the sentences before spoke of: "it", "its", "that of", "this frame".
 
+use super::heads::{ACCELERATION, ANGULAR_VELOCITY, MASS, POSITION, VELOCITY};
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
-use super::sentence_parts::{clause, head, is_list, nouns_end, thing_in};
+use super::sentence_parts::{clause, head, is_list, joins, nouns_end, preposition, thing_in};
 use super::words::{Kind, Token};
 
 /// Words before a noun that has been said.
@@ -28,7 +29,11 @@ pub(crate) fn referring(tokens: &[Token], said: &[&[Token]], lexicon: &Lexicon) 
     if that_of != tokens {
         all.push(that_of);
     }
-    all.extend(its(tokens, subject, lexicon));
+    all.extend(its(
+        tokens,
+        owner_meant(tokens, subject, rest, lexicon),
+        lexicon,
+    ));
     if tokens
         .first()
         .is_some_and(|t| matches!(t.lower.as_str(), "it" | "they"))
@@ -72,6 +77,50 @@ fn owner_behind(tokens: &[Token]) -> usize {
     }
 }
 
+/// Whose something is that only things have and not their quantities: behind "`$v$` is the velocity of P" its acceleration is
+/// that of P.
+fn owner_meant<'t>(
+    tokens: &[Token],
+    subject: &'t [Token],
+    rest: &'t [Token],
+    lexicon: &Lexicon,
+) -> &'t [Token] {
+    let pronoun = |t: &Token| matches!(t.lower.as_str(), "its" | "their");
+    let behind = tokens.iter().position(pronoun).map(|at| &tokens[at + 1..]);
+    let said: Vec<&str> = behind.map(words).unwrap_or_default();
+    let of_things = (0..said.len().min(3)).find_map(|at| {
+        let noun = lexicon.find(&said[at..], &[Class::Noun])?;
+        Some(noun.entry.bodily || OF_THINGS.contains(&noun.entry.name))
+    });
+    let letters = subject.iter().all(|t| t.kind == Kind::Formula || joins(t));
+    match owner_said(rest, lexicon).filter(|_| letters && of_things == Some(true)) {
+        Some(owner) => owner,
+        None => subject,
+    }
+}
+
+/// Whose a quantity is that a sentence tells: "the velocity of P relative to N".
+fn owner_said<'t>(rest: &'t [Token], lexicon: &Lexicon) -> Option<&'t [Token]> {
+    rest.first().filter(|t| t.lower == "the")?;
+    lexicon.find(&words(head(rest, lexicon)), &[Class::Noun])?;
+    let of = rest.iter().position(|t| t.lower == "of")?;
+    let behind = &rest[of + 1..];
+    let ends = |&at: &usize| joins(&behind[at]) || preposition(&behind[at..], lexicon).is_some();
+    let end = (0..behind.len()).find(ends).unwrap_or(behind.len());
+    (end > 0).then_some(&behind[..end])
+}
+
+/// What points and bodies have, and their quantities have not.
+const OF_THINGS: [&str; 7] = [
+    POSITION,
+    VELOCITY,
+    ACCELERATION,
+    ANGULAR_VELOCITY,
+    MASS,
+    "speed",
+    "angular acceleration",
+];
+
 /// "Its mass is `$m$`", "B is its frame": the mass, and the frame, of what the sentence before is about.
 fn its(tokens: &[Token], subject: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let at = tokens
@@ -82,7 +131,13 @@ fn its(tokens: &[Token], subject: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
         return None;
     }
     let (first, rest) = tokens[at..].split_first()?;
-    let (noun, behind) = rest.split_at(nouns_end(rest, lexicon));
+    // Another word may be brought to a noun.
+    let end = nouns_end(rest, lexicon).max(usize::from(!rest.is_empty()));
+    // "its axis z": the letter belongs to the noun
+    let axis = end > 0 && matches!(rest[end - 1].lower.as_str(), "axis" | "axes");
+    let letter = rest.get(end).filter(|t| t.text.chars().count() == 1);
+    let named = axis && letter.is_some_and(|t| t.kind == Kind::Word);
+    let (noun, behind) = rest.split_at(end + usize::from(named));
     let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, first));
     Some([&tokens[..at], &[the], noun, &[of], subject, behind].concat())
 }
@@ -109,7 +164,11 @@ pub(super) fn meant_by_it(
     rest: &[Token],
 ) -> Option<Vec<Token>> {
     let pronoun = |t: &Token| ["it", "them", "they"].contains(&t.lower.as_str());
-    let at = second.iter().position(pronoun)?;
+    // "both are constant"
+    let begins = second.iter().position(|t| t.kind != Kind::Semicolon)?;
+    let verb = second.get(begins + 1).is_some_and(|t| t.lower == "are");
+    let both = (second[begins].lower == "both" && verb).then_some(begins);
+    let at = both.or_else(|| second.iter().position(pronoun))?;
     let owned = |t: &Token| matches!(t.lower.as_str(), "its" | "their");
     if subject.iter().any(owned) {
         return None;

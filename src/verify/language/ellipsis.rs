@@ -2,7 +2,7 @@
 
 use super::anaphora::{meant_by_it, reminded};
 use super::lexicon::{Class, Lexicon};
-use super::reader::ARTICLES;
+use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
 use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
@@ -107,7 +107,9 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
         .is_some_and(|t| MOVES.contains(&t.lower.as_str()));
     let letter = |tokens: &[Token]| tokens.iter().all(|t| t.kind == Kind::Formula);
     let moves = moves && letter(last) && !letter(subject);
-    let owners = match acts || moves {
+    // "the kinetic energy of the top, which is not zero": a letter is, and not a thing.
+    let valued = is_of_quantities(rest) && letter(subject) && !letter(last);
+    let owners = match acts || moves || valued {
         true => [subject, last],
         false => [last, subject],
     };
@@ -119,6 +121,21 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
             _ => vec![[owner, rest].concat(), [rest, owner].concat()],
         })
         .collect()
+}
+
+/// What only quantities are.
+const OF_QUANTITIES: [&str; 6] = [
+    "zero", "positive", "negative", "nonzero", "constant", "small",
+];
+
+/// "is not zero"
+fn is_of_quantities(rest: &[Token]) -> bool {
+    let mut words = rest.iter().map(|t| t.lower.as_str());
+    let copula = words.next().is_some_and(|word| COPULAS.contains(&word));
+    copula
+        && words
+            .find(|word| *word != "not")
+            .is_some_and(|word| OF_QUANTITIES.contains(&word))
 }
 
 /// The letters at the end of a clause, if they are several.

@@ -42,7 +42,7 @@ fn hangs_in_turn(what: &NounPhrase, slot: Slot, count: usize) -> bool {
 /// The axes that something is about.
 fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
     match what.slot(Slot::About)? {
-        Term::Phrase(axes) if axes.head == "axes" => Some(axes),
+        Term::Phrase(axes) if matches!(axes.head, "axes" | "axis") => Some(axes),
         _ => None,
     }
 }

@@ -30,7 +30,8 @@ pub(super) fn frames_shown(declarations: &[Declaration]) -> BTreeSet<String> {
     let mut frames = BTreeSet::new();
     for declaration in declarations.iter() {
         if let Statement::Is { subjects, what } = &declaration.statement {
-            if what.head == "frame" {
+            // What is inertial is a frame.
+            if matches!(what.head, "frame" | "inertial") {
                 frames.extend(subjects.iter().filter_map(name));
             }
             seen_in(what, &mut frames);
@@ -285,6 +286,24 @@ pub(crate) fn name_numbered(declarations: &mut [Declaration]) {
     let terms = declarations.iter_mut();
     for term in terms.flat_map(|d| d.statement.terms_mut()) {
         name_member(term, &numbered);
+    }
+    declarations.iter_mut().for_each(count_parts_once);
+}
+
+/// "It consists of two links, link 1 and link 2": these are the two.
+fn count_parts_once(declaration: &mut Declaration) {
+    if let Statement::Does {
+        verb: "consist",
+        slots,
+        ..
+    } = &mut declaration.statement
+    {
+        let mut parts = vec![];
+        slots.retain(|part| {
+            let new = !parts.contains(part);
+            parts.push(part.clone());
+            new
+        });
     }
 }
 

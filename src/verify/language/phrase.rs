@@ -178,12 +178,11 @@ impl<'a> Reader<'a> {
             }
         }
         self.at = start;
-        let mut owner = self.owner.clone();
-        match first {
-            "its" => owner.truncate(1),
-            "their" => {}
-            _ => owner.clear(),
-        }
+        let mut owner = match first {
+            "its" => self.one_owner(),
+            "their" => self.owner.clone(),
+            _ => vec![],
+        };
         if let Some(found) = qualifier.filter(|_| !owned) {
             self.take_any(&ARTICLES);
             self.at += found.length;
@@ -227,16 +226,25 @@ impl<'a> Reader<'a> {
             .extend(owner.map(|owner| (Slot::Of, owner.clone())));
     }
 
+    /// Whose "its" means: where the clause before is about several things, it is of what these are.
+    fn one_owner(&self) -> Vec<Term> {
+        match self.owner.as_slice() {
+            [_, _, ..] => {
+                let of = self.before.what.last().and_then(|what| what.slot(Slot::Of));
+                of.cloned().into_iter().collect()
+            }
+            owner => owner.to_vec(),
+        }
+    }
+
     /// A noun with its article, its adjectives and what hangs on it.
     pub(crate) fn phrase(&mut self) -> Read<NounPhrase> {
         let owned = matches!(self.word(), "its" | "their");
-        let mut owner = match owned {
-            true => self.owner.clone(),
-            false => vec![],
+        let owner = match self.word() {
+            "its" => self.one_owner(),
+            "their" => self.owner.clone(),
+            _ => vec![],
         };
-        if self.word() == "its" {
-            owner.truncate(1);
-        }
         let mut phrase = self.phrase_of(owner)?;
         self.belongs_to_thing(&mut phrase, owned)?;
         Ok(phrase)

@@ -34,11 +34,22 @@ fn equal_sides(formula: &Formula) -> Option<(&Node, &Node)> {
 
 /// What a statement sets a letter to by a formula.
 pub(super) fn defined_as(letter: &Formula, statement: &Statement) -> Option<Formula> {
-    let Statement::Holds(formula) = statement else {
-        return None;
-    };
-    let (left, right) = definition_in(formula)?;
-    same_letter(&Formula::of(left), letter).then(|| Formula::of(right))
+    match statement {
+        Statement::Holds(formula) => {
+            let (left, right) = definition_in(formula)?;
+            same_letter(&Formula::of(left), letter).then(|| Formula::of(right))
+        }
+        // "`$n$` is `$a+b$`"
+        Statement::Same { subjects, others } => {
+            let mut pairs = subjects.iter().zip(others);
+            let (_, other) = pairs.find(|(own, _)| is_written_as(own, letter))?;
+            match other {
+                Term::Formula(formula) => Some(formula.clone()),
+                _ => None,
+            }
+        }
+        _ => None,
+    }
 }
 
 /// Whether a term is a letter, by its writing.
