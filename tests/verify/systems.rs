@@ -7,6 +7,7 @@ mod by_vectors;
 mod chains;
 mod changes;
 mod counted;
+mod free_wording;
 mod incline;
 mod instants;
 mod integrals;

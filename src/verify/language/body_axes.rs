@@ -9,6 +9,7 @@ use std::collections::BTreeSet;
 
 /// "The axis of the cylinder is the second axis of B", "it lies along that": that axis of B is the axis of the cylinder.
 pub(crate) fn turn_to_frames(declarations: &mut [Declaration]) {
+    tell_parallel_axes(declarations);
     for declaration in declarations {
         let said = match &declaration.statement {
             Statement::Is { subjects, what } => match subjects.as_slice() {
@@ -29,6 +30,43 @@ pub(crate) fn turn_to_frames(declarations: &mut [Declaration]) {
         }
     }
 }
+
+/// "The axis of the cylinder is parallel to x", "it points along x": the cylinder is round about x.
+fn tell_parallel_axes(declarations: &mut [Declaration]) {
+    let round = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if ROUND.contains(&what.head) => subjects.clone(),
+        _ => vec![],
+    };
+    let round: Vec<Term> = declarations.iter().flat_map(round).collect();
+    for declaration in declarations {
+        let said = match &declaration.statement {
+            Statement::Premise(own) if own.adjectives == ["parallel"] => {
+                match own.slots.as_slice() {
+                    [(Slot::Of, body), (Slot::With, axis)] => Some((own, body, axis)),
+                    _ => None,
+                }
+            }
+            statement => match statement.does("point") {
+                Some(([Term::Phrase(own)], [(Slot::Along, axis)])) => match own.slots.as_slice() {
+                    [(Slot::Of, body)] => Some((&**own, body, axis)),
+                    _ => None,
+                },
+                _ => None,
+            },
+        };
+        if let Some((own, body, axis)) = said
+            && own.head == "axis"
+            && round.contains(body)
+        {
+            let about = vec![(Slot::About, axis.clone())];
+            declaration.statement =
+                Statement::one_is(body.clone(), NounPhrase::new("symmetric", about));
+        }
+    }
+}
+
+/// Shapes that have one axis.
+const ROUND: [&str; 5] = ["cylinder", "tube", "cone", "disc", "ring"];
 
 /// "the axis of the cylinder" and "the second axis of B" in the plain order.
 fn said_of_axis(own: &Term, axis: &Term) -> Option<Statement> {

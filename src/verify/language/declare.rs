@@ -19,6 +19,7 @@ use super::reorder::{
 use super::rewrite::plainly;
 use super::same_lines::on_same_lines;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
+use super::there::say_where;
 use super::told_apart::told_apart;
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
@@ -44,6 +45,7 @@ pub fn read_declarations(
     let parted = sentences.iter().map(|(line, text)| parted(text, *line));
     let mut parted: Vec<_> = parted.collect();
     keep_capitals(&mut parted);
+    say_where(&mut parted, lexicon, macros);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let bodies = introduced(understood, lexicon);
     let all = || parted.iter().flatten().map(Vec::as_slice);
@@ -64,7 +66,8 @@ pub fn read_declarations(
                 let said = reader(tokens).or_else(|error| {
                     let last = before.last();
                     let there = last.and_then(|before| on_same_lines(tokens, before));
-                    let others = there.into_iter().chain(referring(tokens, &before, lexicon));
+                    let meant = referring(&axes(tokens), &before, lexicon);
+                    let others = there.into_iter().chain(meant);
                     let read = others.into_iter().find_map(|other| reader(&other).ok());
                     read.ok_or(error)
                 });

@@ -1,6 +1,7 @@
 //! Radii of gyration: the mass times the square of one is the moment of inertia.
 
 use super::clause::as_formula;
+use super::every_axis::tell_round_moments;
 use super::heads::{CONSTANT, MASS, MOMENT_OF_INERTIA};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
@@ -9,6 +10,7 @@ use crate::notation::Macros;
 
 /// "`$k$` is the radius of gyration of the body of mass `$m$` about the axis": `$m k^2$` is its moment of inertia about that.
 pub(crate) fn tell_gyration(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    tell_round_moments(declarations);
     let masses: Vec<(Term, Formula)> = declarations.iter().flat_map(masses).collect();
     say_besides(declarations, |statement| {
         let Statement::Is { subjects, what } = statement else {

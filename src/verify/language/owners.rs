@@ -4,6 +4,7 @@ use super::acting::tell_where_forces_act;
 use super::heads::{FORCE, FORCES_OF_A_KIND, MASS, MOMENT, MOMENTS_OF_A_KIND, WEIGHT};
 use super::kinds::name;
 use super::listed::tell_listed_moments;
+use super::other_loads::tell_other_moments;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::the_axis::tell_the_axis;
 use super::{is_bodily, is_body};
@@ -88,6 +89,7 @@ pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
     share_agents(declarations);
     tell_where_forces_act(declarations);
     tell_listed_moments(declarations);
+    tell_other_moments(declarations);
     let mut letter: Option<(String, Term)> = None;
     for declaration in declarations {
         let Statement::Is { subjects, what } = &mut declaration.statement else {

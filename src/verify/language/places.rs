@@ -1,17 +1,45 @@
 //! Places of a body that the sentence about its shape tells: its middle, its ends.
 
-use super::heads::MASS_CENTRE;
+use super::heads::{MASS_CENTRE, POSITION};
 use super::kinds::name;
+use super::laid_rods::lay_rods;
 use super::reader::formula;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 use crate::notation::Macros;
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
 
 /// Places that a thing has.
 const PLACES: [&str; 5] = ["middle", "centre", "mass centre", "end", "origin"];
 
+/// "S is the mass centre of the satellite and the centre of the ball": it is both.
+fn part_places(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
+        };
+        let ([place], true) = (subjects.as_slice(), PLACES.contains(&what.head)) else {
+            return vec![];
+        };
+        let (mut told, mut first) = (vec![], true);
+        what.slots.retain(|said| {
+            let other = match said {
+                (Slot::Of, Term::Phrase(other)) if !first => Some(other),
+                _ => None,
+            };
+            first &= said.0 != Slot::Of;
+            let other = other.filter(|other| PLACES.contains(&other.head));
+            told.extend(other.map(|other| Statement::one_is(place.clone(), (**other).clone())));
+            other.is_none()
+        });
+        told
+    });
+}
+
 /// "The rod is a uniform rod with its middle at G and the ends A and B": what G, A and B are.
 pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
+    part_places(declarations);
     say_besides(declarations, |statement| match statement {
         Statement::Is { subjects, what } => {
             let [thing] = subjects.as_slice() else {
@@ -87,13 +115,19 @@ fn place_of(slot: Slot, term: &Term, thing: &Term) -> Option<Vec<Statement>> {
     (!points.is_empty()).then_some(points)
 }
 
-/// "The rod goes from O to P": these are its ends.
+/// "The rod goes from O to P": these are its ends. A vector that does so is the position of P from O.
 pub(crate) fn tell_reach(declarations: &mut [Declaration]) {
     for declaration in declarations {
         if let Some(([body], [(Slot::From, from), (Slot::To, to)])) =
             declaration.statement.does("extend")
         {
-            declaration.statement = are_ends(from, to, body);
+            declaration.statement = match body {
+                Term::Formula(vector) if is_marked_vector(vector) => {
+                    let slots = vec![(Slot::Of, to.clone()), (Slot::From, from.clone())];
+                    Statement::one_is(body.clone(), NounPhrase::new(POSITION, slots))
+                }
+                _ => are_ends(from, to, body),
+            };
         }
     }
 }
@@ -101,6 +135,7 @@ pub(crate) fn tell_reach(declarations: &mut [Declaration]) {
 /// "a uniform thin rod of length `$l$` from A along z": its mass centre is half of that from A. "a thin rod from A to B": these
 /// are its ends.
 pub(crate) fn begin_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    lay_rods(declarations, macros);
     say_besides(declarations, |statement| {
         let Statement::Is { subjects, what } = statement else {
             return vec![];
@@ -138,6 +173,13 @@ pub(crate) fn begin_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
             .retain(|(slot, _)| !matches!(slot, Slot::From | Slot::To));
         told
     });
+}
+
+fn is_marked_vector(letter: &Formula) -> bool {
+    match &letter.row {
+        Row::Expression(node) => matches!(&node.kind, Kind::Symbol(s) if s.style.vector),
+        _ => false,
+    }
 }
 
 fn are_ends(from: &Term, to: &Term, body: &Term) -> Statement {

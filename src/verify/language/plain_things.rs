@@ -1,6 +1,7 @@
 //! Things by their plain names: "the rigid body" is the body, and "an inertial frame" the one that a sentence names.
 
 use super::body_axes::is_thing_with_sizes;
+use super::frames_by_adjective::name_frames;
 use super::heads::{UNIT_VECTOR, VERTICAL};
 use super::is_body;
 use super::kinds::{name, rename};
@@ -24,6 +25,7 @@ const INERTIAL_FRAME: &str = "inertial frame";
 
 /// Names the things that sentences speak of by a noun and adjectives that tell nothing new.
 pub(crate) fn name_plainly(declarations: &mut Vec<Declaration>) {
+    name_frames(declarations);
     let inertial = inertial_frame(declarations);
     let ground = inertial
         .clone()
@@ -91,6 +93,7 @@ const FORMULAS: [&str; 4] = ["formulas", "equations", "relations", "lines"];
 
 /// "The rigid body is symmetric about z" says it of the body, "the formulas hold to first order" of all lines.
 pub(crate) fn say_of_things(declarations: &mut [Declaration]) {
+    fix_what_rests(declarations);
     for declaration in declarations {
         if let Statement::Does {
             subjects,
@@ -117,6 +120,26 @@ pub(crate) fn say_of_things(declarations: &mut [Declaration]) {
             declaration.statement = Statement::Is {
                 subjects: vec![Term::Name(premise.head.to_owned())],
                 what: NounPhrase::new(said, premise.slots.clone()),
+            };
+        }
+    }
+}
+
+/// "O stays at rest in N": where N is a frame, it is fixed there.
+fn fix_what_rests(declarations: &mut [Declaration]) {
+    let is_frame = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" => subjects.clone(),
+        _ => vec![],
+    };
+    let frames: Vec<Term> = declarations.iter().flat_map(is_frame).collect();
+    for declaration in declarations {
+        if let Some((subjects, [(Slot::In | Slot::RelativeTo, frame)])) =
+            declaration.statement.does("rest")
+            && frames.contains(frame)
+        {
+            declaration.statement = Statement::Is {
+                subjects: subjects.to_vec(),
+                what: NounPhrase::new("fixed", vec![(Slot::FixedIn, frame.clone())]),
             };
         }
     }

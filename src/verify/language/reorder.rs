@@ -25,12 +25,9 @@ fn parts_of_order<'t>(token: &'t Token, next: Option<&Token>) -> Vec<&'t str> {
     }
 }
 
-/// Nouns of what two axes tell apart.
-const OF_TWO_AXES: [&str; 4] = ["entry", "element", "component", "plane"];
-
-/// "the xy entry" as "the entry (x, y)", "the xz plane" as "the plane of x and z".
+/// "the xz plane" as "the plane of x and z".
 fn by_two_axes(token: &Token, noun: Option<&Token>) -> Option<Vec<Token>> {
-    let noun = noun.filter(|noun| OF_TWO_AXES.contains(&noun.lower.as_str()))?;
+    let noun = noun.filter(|noun| noun.lower == "plane")?;
     let mut letters = token.text.chars();
     let (first, second) = (letters.next()?, letters.next()?);
     let axis = |c: char| "xyzXYZ".contains(c);
@@ -38,19 +35,8 @@ fn by_two_axes(token: &Token, noun: Option<&Token>) -> Option<Vec<Token>> {
         return None;
     }
     let word = |text: &str| put_in(Kind::Word, text, token);
-    let sign = |kind| put_in(kind, "", token);
     let [first, second] = [first, second].map(|axis| word(&axis.to_string()));
-    let pair = match noun.lower.as_str() {
-        "plane" => vec![word("of"), first, word("and"), second],
-        _ => vec![
-            sign(Kind::Open),
-            first,
-            sign(Kind::Comma),
-            second,
-            sign(Kind::Close),
-        ],
-    };
-    Some([vec![noun.clone()], pair].concat())
+    Some(vec![noun.clone(), word("of"), first, word("and"), second])
 }
 
 /// "the z axis" as "the axis z", "the sequence 3-1-3" as "the sequence 3, 1, 3".

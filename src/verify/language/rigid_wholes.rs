@@ -1,5 +1,7 @@
-//! Rigid bodies that consist of particles: these are fixed in them.
+//! Rigid bodies that consist of particles or of other bodies: these are fixed in them.
 
+use super::heads::ANGULAR_VELOCITY;
+use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
@@ -19,6 +21,14 @@ pub(crate) fn fix_particles(declarations: &mut Vec<Declaration>) {
             .iter()
             .all(|part| is_said(part, declarations, is_particle));
         let rigid = called == RIGID || is_said(whole, declarations, |what| what.is("rigid"));
+        if rigid && !particles && called != RIGID {
+            let still = parts.iter().filter(|part| stands_still(part, declarations));
+            let fixed = |part: &Term| {
+                let inside = vec![(Slot::FixedIn, whole.clone())];
+                Statement::one_is(part.clone(), NounPhrase::new("fixed", inside))
+            };
+            told.extend(still.map(|part| declaration.saying(fixed(part))));
+        }
         if !particles || !rigid {
             continue;
         }
@@ -35,6 +45,25 @@ pub(crate) fn fix_particles(declarations: &mut Vec<Declaration>) {
     }
     declarations.extend(told);
 }
+
+/// Whether sentences say that a thing is a body, and none says how it moves, what it is fixed in or what is fixed in it.
+fn stands_still(part: &Term, declarations: &[Declaration]) -> bool {
+    let moves = |d: &Declaration| match &d.statement {
+        Statement::Does { subjects, verb, .. } => *verb != "lie" && subjects.contains(part),
+        Statement::Is { subjects, what } => {
+            let fixed = what.head == "fixed" || what.slot(Slot::FixedIn).is_some();
+            let carries = what.all(Slot::FixedIn).any(|of| of == part);
+            let turned = MOTIONS.contains(&what.head) && what.all(Slot::Of).any(|of| of == part);
+            fixed && subjects.contains(part) || carries || turned
+        }
+        _ => false,
+    };
+    let body = |what: &NounPhrase| is_body(what.head) && !is_particle(what);
+    is_said(part, declarations, body) && !declarations.iter().any(moves)
+}
+
+/// What tells that a body moves in another one.
+const MOTIONS: [&str; 3] = [ANGULAR_VELOCITY, "spin", "rate"];
 
 fn is_particle(what: &NounPhrase) -> bool {
     what.head == "particle"

@@ -1,5 +1,6 @@
 //! What a sentence takes from the one before: "the same vector in components on N", "the Coriolis force and … on P in A".
 
+use super::corresponding::tell_corresponding;
 use super::heads::{ACCELERATION, ANGULAR_VELOCITY, POSITION, VELOCITY};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
@@ -19,7 +20,8 @@ const SHARING: [&str; 8] = [
 ];
 
 /// "`$u$` is the same vector in components on N": what the sentence before says of its letter, on other axes.
-pub(crate) fn tell_the_same(declarations: &mut [Declaration]) {
+pub(crate) fn tell_the_same(declarations: &mut Vec<Declaration>) {
+    tell_corresponding(declarations);
     for at in 1..declarations.len() {
         let (before, rest) = declarations.split_at_mut(at);
         let Statement::Is { what, .. } = &mut rest[0].statement else {

@@ -1,16 +1,14 @@
-//! "There", "in it", "these lines": the part of the document of which the sentence before spoke.
+//! "In it", "these lines": the part of the document of which the sentence before spoke.
 
 use super::rewrite::put_in;
 use super::words::{Kind, Token};
 
 /// Words that mean the part of the sentence before, at the beginning of a sentence.
-const THERE: [&[&str]; 6] = [
-    &["there"],
+const IN_IT: [&[&str]; 4] = [
     &["in", "it"],
     &["in", "them"],
     &["on", "it"],
     &["on", "them"],
-    &["here", "too"],
 ];
 
 /// Lines as a whole, anywhere in a sentence.
@@ -29,9 +27,9 @@ const THESE_LINES: [&[&str]; 7] = [
 pub(crate) fn on_same_lines(tokens: &[Token], before: &[Token]) -> Option<Vec<Token>> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let begins = |phrase: &&&[&str]| words.starts_with(phrase);
-    if let Some(there) = THERE.iter().find(begins) {
+    if let Some(in_it) = IN_IT.iter().find(begins) {
         let (extent, place) = extent_of(before)?;
-        let rest = &tokens[there.len()..];
+        let rest = &tokens[in_it.len()..];
         let comma = usize::from(rest.first()?.kind == Kind::Comma);
         let on = place.then(|| put_in(Kind::Word, "on", &tokens[0]));
         let on: Vec<Token> = on.into_iter().collect();

@@ -6,6 +6,7 @@ use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::turned_vectors::turn_vectors;
 use crate::notation::Macros;
 
 /// Words of the sense in which an angle grows.
@@ -15,11 +16,12 @@ const SENSES: [&str; 2] = ["towards", "positive towards"];
 pub(super) struct Direction {
     pub(super) frame: Term,
     pub(super) number: usize,
-    reversed: bool,
+    pub(super) reversed: bool,
 }
 
 /// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    turn_vectors(declarations, macros);
     let mut at = 0;
     while at < declarations.len() {
         let turned = turned(&declarations[at].statement, declarations, macros);

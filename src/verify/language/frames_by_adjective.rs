@@ -1,0 +1,108 @@
+//! Frames that have no name but their adjective: "the moving frame", "the body axes".
+
+use super::kinds::name;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Adjectives that tell a frame from the inertial one.
+const TELLING: [&str; 2] = ["rotating", "body-fixed"];
+
+/// What is said of a frame that it may be told of by its adjective.
+const SAID: [&str; 2] = ["fixed", "frame"];
+
+/// Puts names in the places of frames that an adjective tells from the inertial one: that of the only frame that is fixed in
+/// a body, or one of its own where a sentence says what the frame is fixed in.
+pub(super) fn name_frames(declarations: &mut Vec<Declaration>) {
+    declarations.retain(|d| !is_of_axes_that_meet(&d.statement));
+    let only = only_frame_of_bodies(declarations);
+    let mut names: BTreeMap<&'static str, String> = BTreeMap::new();
+    for declaration in declarations.iter() {
+        if let Statement::Is { subjects, what } = &declaration.statement
+            && let [Term::Phrase(frame)] = subjects.as_slice()
+            && let Some(adjective) = adjective_of(frame, "frame")
+            && SAID.contains(&what.head)
+            && what.slot(Slot::FixedIn).is_some()
+        {
+            names.insert(adjective, format!("{adjective} frame"));
+        }
+    }
+    if let (Some(only), true) = (only, names.is_empty()) {
+        names.extend(TELLING.map(|adjective| (adjective, only.clone())));
+    }
+    for declaration in declarations.iter_mut() {
+        if let Statement::Is { what, .. } = &mut declaration.statement {
+            give_axes(what, &names);
+        }
+        for term in declaration.statement.terms_mut() {
+            put_name(term, &names);
+        }
+    }
+}
+
+/// "Its axes meet at O": those of each frame do, and where is of no account.
+fn is_of_axes_that_meet(statement: &Statement) -> bool {
+    let axes = |term: &Term| match term {
+        Term::Phrase(axes) => axes.head == "axes" && axes.slot(Slot::Of).is_some(),
+        _ => false,
+    };
+    match statement.does("touch") {
+        Some((subjects, slots)) => {
+            subjects.iter().all(axes) && slots.iter().all(|(slot, _)| *slot == Slot::At)
+        }
+        None => false,
+    }
+}
+
+/// The only frame that sentences say to be fixed in a body, by its name.
+fn only_frame_of_bodies(declarations: &[Declaration]) -> Option<String> {
+    let fixed = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" => {
+            let of_body = what.slot(Slot::FixedIn).is_some() || what.is("body-fixed");
+            of_body.then_some(subjects)
+        }
+        _ => None,
+    });
+    let mut names: BTreeSet<String> = fixed.flatten().filter_map(name).collect();
+    names.pop_first().filter(|_| names.is_empty())
+}
+
+/// The adjective by which alone a noun tells a frame.
+fn adjective_of(phrase: &NounPhrase, noun: &str) -> Option<&'static str> {
+    match phrase.adjectives.as_slice() {
+        [adjective] if phrase.head == noun && phrase.slots.is_empty() => {
+            TELLING.into_iter().find(|telling| telling == adjective)
+        }
+        _ => None,
+    }
+}
+
+/// "x, y, z are the body axes": those of the frame.
+fn give_axes(what: &mut NounPhrase, names: &BTreeMap<&'static str, String>) {
+    if let Some(called) = adjective_of(what, "axes").and_then(|adjective| names.get(adjective)) {
+        what.adjectives.clear();
+        what.slots = vec![(Slot::Of, Term::Name(called.clone()))];
+    }
+}
+
+fn put_name(term: &mut Term, names: &BTreeMap<&'static str, String>) {
+    let Term::Phrase(phrase) = term else {
+        return;
+    };
+    let called = |noun| adjective_of(phrase, noun).and_then(|adjective| names.get(adjective));
+    if let Some(called) = called("frame") {
+        *term = Term::Name(called.clone());
+        return;
+    }
+    for (slot, inner) in &mut phrase.slots {
+        let axes = match inner {
+            Term::Phrase(axes) if *slot == Slot::On => adjective_of(axes, "axes"),
+            _ => None,
+        };
+        match axes.and_then(|adjective| names.get(adjective)) {
+            // Components on the axes of a frame are those on the frame.
+            Some(called) => *inner = Term::Name(called.clone()),
+            None => put_name(inner, names),
+        }
+    }
+    give_axes(phrase, names);
+}

@@ -1,0 +1,144 @@
+//! Rods that lie along an axis from one of their ends: where their middle and their other end are.
+
+use super::heads::MASS_CENTRE;
+use super::reader::formula;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
+
+/// The noun of a point at which a rod ends.
+const END: &str = "end";
+
+/// "The handle lies along z from A", where A is an end of it: its other end is its length from there, and its mass centre half
+/// of that if it is uniform.
+pub(super) fn lay_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let mut at = 0;
+    while at < declarations.len() {
+        if let Some(rod) = laid(&declarations[at].statement, declarations) {
+            lay(&rod, at, declarations, macros);
+        }
+        at += 1;
+    }
+}
+
+/// A rod of a known length that begins at a point.
+struct Laid {
+    rod: Term,
+    from: Term,
+    along: Term,
+    length: Formula,
+}
+
+fn laid(statement: &Statement, declarations: &[Declaration]) -> Option<Laid> {
+    let ([rod], slots) = statement.does("lie")? else {
+        return None;
+    };
+    let (from, along) = match slots {
+        [(Slot::Along, along), (Slot::From, from)] | [(Slot::From, from), (Slot::Along, along)] => {
+            (from, along)
+        }
+        _ => return None,
+    };
+    let straight = declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == "rod" && subjects.contains(rod),
+        _ => false,
+    });
+    let ends_there = ends(rod, declarations).any(|end| end == from);
+    (straight && ends_there).then_some(())?;
+    Some(Laid {
+        rod: rod.clone(),
+        from: from.clone(),
+        along: along.clone(),
+        length: length_of(rod, declarations)?,
+    })
+}
+
+/// The length of a rod by its letter.
+fn length_of(rod: &Term, declarations: &[Declaration]) -> Option<Formula> {
+    declarations.iter().find_map(|d| {
+        let Statement::Is { subjects, what } = &d.statement else {
+            return None;
+        };
+        let length = match subjects.as_slice() {
+            [length] if what.head == "length" => {
+                Some(length).filter(|_| what.slot(Slot::Of) == Some(rod))
+            }
+            _ if subjects.contains(rod) => what.size("length"),
+            _ => None,
+        };
+        match length? {
+            Term::Formula(length) => Some(length.clone()),
+            _ => None,
+        }
+    })
+}
+
+/// The points that are said to be ends of a rod.
+fn ends<'d>(rod: &'d Term, declarations: &'d [Declaration]) -> impl Iterator<Item = &'d Term> {
+    declarations.iter().filter_map(move |d| match &d.statement {
+        Statement::Is { subjects, what } => match subjects.as_slice() {
+            [end] if is_end(what, rod) => Some(end),
+            // "the upper end of the rod is the mass centre of the head"
+            _ => None,
+        },
+        _ => None,
+    })
+}
+
+fn is_end(what: &NounPhrase, rod: &Term) -> bool {
+    what.head == END && matches!(what.slots.as_slice(), [(Slot::Of, of)] if of == rod)
+}
+
+/// Says where the middle and the other end are, in the place of what says that the points are ends.
+fn lay(laid: &Laid, at: usize, declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let Laid {
+        rod,
+        from,
+        along,
+        length,
+    } = laid;
+    let at_distance = |subject: Term, distance: Formula| Statement::Does {
+        subjects: vec![subject],
+        verb: "lie",
+        slots: vec![
+            (Slot::At, Term::Formula(distance)),
+            (Slot::From, from.clone()),
+            (Slot::Along, along.clone()),
+        ],
+    };
+    for declaration in declarations.iter_mut() {
+        let other = match &declaration.statement {
+            Statement::Is { subjects, what } => match subjects.as_slice() {
+                [point] if is_end(what, rod) && point != from => Some(point.clone()),
+                [Term::Phrase(end)] if is_end(end, rod) => {
+                    Some(Term::Phrase(Box::new(what.clone())))
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        if let Some(other) = other {
+            declaration.statement = at_distance(other, length.clone());
+        }
+    }
+    let said = declarations[at].clone();
+    let only = vec![(Slot::Along, along.clone())];
+    declarations[at].statement = Statement::Does {
+        subjects: vec![rod.clone()],
+        verb: "lie",
+        slots: only,
+    };
+    let uniform = declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.is("uniform") && subjects.contains(rod),
+        _ => false,
+    });
+    let half = formula(&format!("\\frac{{{}}}{{2}}", length.source), false, macros);
+    if let Some(half) = half.filter(|_| uniform) {
+        let centre = NounPhrase::new(MASS_CENTRE, vec![(Slot::Of, rod.clone())]);
+        declarations.push(said.saying(at_distance(Term::Phrase(Box::new(centre)), half)));
+    }
+    let begins = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } => is_end(what, rod) && subjects.contains(from),
+        _ => false,
+    };
+    declarations.retain(|d| !begins(d));
+}

@@ -1,0 +1,62 @@
+//! "No other moment acts on the ball": none but those that sentences tell.
+
+use super::heads::MOMENT;
+use super::lexicon::{Class, Lexicon};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+
+/// The adverb of what is left out.
+const EXCEPT: &str = "except";
+
+/// Says which moments are meant, where sentences tell letters or formulas of moments on the same body, and no force on it.
+pub(super) fn tell_other_moments(declarations: &mut [Declaration]) {
+    for at in 0..declarations.len() {
+        let Statement::Premise(premise) = &declarations[at].statement else {
+            continue;
+        };
+        let body = premise.slot(Slot::Of).filter(|_| {
+            let whole = premise
+                .slots
+                .iter()
+                .all(|(slot, _)| matches!(slot, Slot::Of | Slot::About));
+            premise.head == MOMENT && premise.adjectives == ["no", "other"] && whole
+        });
+        let Some(told) = body.and_then(|body| moments_on(body, declarations)) else {
+            continue;
+        };
+        let except = NounPhrase::new(EXCEPT, told);
+        let mut only = premise.clone();
+        only.adjectives.retain(|said| *said != "other");
+        only.slots
+            .push((Slot::With, Term::Phrase(Box::new(except))));
+        declarations[at].statement = Statement::Premise(only);
+    }
+}
+
+/// The moments on a body that sentences tell by letters or formulas, if these are all loads on it.
+fn moments_on(body: &Term, declarations: &[Declaration]) -> Option<Vec<(Slot, Term)>> {
+    let mut moments = vec![];
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let on_it = what.slot(Slot::Upon).or(what.slot(Slot::Of)) == Some(body);
+        if !on_it || !is_load(what.head) {
+            continue;
+        }
+        let ([letter @ Term::Formula(_)], [(Slot::Of, of), (Slot::Upon, _)], MOMENT) =
+            (subjects.as_slice(), what.slots.as_slice(), what.head)
+        else {
+            return None;
+        };
+        let slots = vec![(Slot::Which, letter.clone()), (Slot::Of, of.clone())];
+        let moment = Term::Phrase(Box::new(NounPhrase::new(MOMENT, slots)));
+        moments.push((Slot::Of, moment));
+    }
+    Some(moments).filter(|moments| !moments.is_empty())
+}
+
+/// Whether a noun means something that acts on bodies.
+fn is_load(noun: &str) -> bool {
+    let entry = Lexicon::shared().entry(noun, &[Class::Noun]);
+    entry.is_some_and(|entry| entry.slot("on") == Some(Slot::Upon))
+}

@@ -1,0 +1,114 @@
+//! Unit vectors that are told by their angle with an axis, towards another one.
+
+use super::heads::UNIT_VECTOR;
+use super::reader::formula;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::turned_lines::direction;
+use crate::notation::Macros;
+
+/// A unit vector, and from where it is turned to where by what angle.
+struct Turned {
+    vector: Formula,
+    from: Term,
+    towards: Term,
+    angle: Formula,
+}
+
+/// "The unit vector `$n$` is turned from x towards y by the angle `$\alpha$`": it is `$\cos\alpha\,x+\sin\alpha\,y$`.
+pub(super) fn turn_vectors(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let mut at = 0;
+    while at < declarations.len() {
+        let turned = turned(&declarations[at].statement, declarations);
+        let told = turned.and_then(|turned| {
+            let told = statements(&turned, declarations, macros)?;
+            Some((Term::Formula(turned.vector), told))
+        });
+        let Some((vector, told)) = told else {
+            at += 1;
+            continue;
+        };
+        let said = declarations.remove(at);
+        declarations.retain(|d| !is_only_a_unit_vector(&vector, d));
+        declarations.extend(told.into_iter().map(|statement| said.saying(statement)));
+    }
+}
+
+fn turned(statement: &Statement, declarations: &[Declaration]) -> Option<Turned> {
+    let ([Term::Formula(vector)], slots) = statement.does("turn")? else {
+        return None;
+    };
+    let mut rest = slots.to_vec();
+    let mut take = |wanted| {
+        let at = rest.iter().position(|(slot, _)| *slot == wanted)?;
+        Some(rest.remove(at).1)
+    };
+    let (from, sense, by) = (take(Slot::RelativeTo)?, take(Slot::With)?, take(Slot::By)?);
+    let (Term::Phrase(sense), Term::Phrase(by), true) = (sense, by, rest.is_empty()) else {
+        return None;
+    };
+    let (towards, angle) = (sense.slot(Slot::Of)?, by.slot(Slot::Which)?);
+    let (first, second) = (
+        direction(&from, declarations)?,
+        direction(towards, declarations)?,
+    );
+    let across = first.frame == second.frame && first.number != second.number;
+    let own = Term::Formula(vector.clone());
+    let unit = declarations.iter().any(|d| is_only_a_unit_vector(&own, d));
+    match angle {
+        Term::Formula(angle) if across && unit && !first.reversed && !second.reversed => {
+            Some(Turned {
+                vector: vector.clone(),
+                from,
+                towards: towards.clone(),
+                angle: angle.clone(),
+            })
+        }
+        _ => None,
+    }
+}
+
+/// The axes by letters of their own, and what the vector is by these.
+fn statements(
+    turned: &Turned,
+    declarations: &[Declaration],
+    macros: &Macros,
+) -> Option<Vec<Statement>> {
+    let (vector, angle) = (&turned.vector.source, &turned.angle);
+    let axis = |place: &str, along: &Term| {
+        let letter = formula(&format!("e_{{{place},{vector}}}"), false, macros)?;
+        let along = vec![(Slot::Along, along.clone())];
+        let what = NounPhrase::new(UNIT_VECTOR, along);
+        let source = letter.source.clone();
+        Some((source, Statement::one_is(Term::Formula(letter), what)))
+    };
+    let ((one, first), (other, second)) =
+        (axis("from", &turned.from)?, axis("to", &turned.towards)?);
+    let source = &angle.source;
+    let sum = format!("{vector}=\\cos({source}){one}+\\sin({source}){other}");
+    let mut told = vec![
+        first,
+        second,
+        Statement::Holds(formula(&sum, false, macros)?),
+    ];
+    let angle = Term::Formula(angle.clone());
+    // The sentence tells that the letter is an angle.
+    if !declarations
+        .iter()
+        .any(|d| d.statement.subjects().contains(&angle))
+    {
+        told.push(Statement::one_is(angle, NounPhrase::new("scalar", vec![])));
+    }
+    Some(told)
+}
+
+/// Whether a sentence says that a letter is a unit vector, and no more.
+fn is_only_a_unit_vector(letter: &Term, declaration: &Declaration) -> bool {
+    match &declaration.statement {
+        Statement::Is { subjects, what } => {
+            subjects.as_slice() == std::slice::from_ref(letter)
+                && what.head == UNIT_VECTOR
+                && what.slots.is_empty()
+        }
+        _ => false,
+    }
+}
