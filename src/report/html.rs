@@ -20,9 +20,9 @@ h1 { line-height: 1.2 } h2 { margin: 2rem 0 .5rem } .total { font-size: 1.25rem;
 .good { color: var(--good) } .bad { color: var(--bad) } .wait { color: var(--wait) }
 .line { border-left: 4px solid var(--line); padding-left: .7rem; margin: 1rem 0; break-inside: avoid } .line p { margin: .3rem 0 } .line.good { border-color: var(--good); color: inherit }
 .line.bad { border-color: var(--bad); color: inherit } .line.wait { border-color: var(--wait); color: inherit }
-.formula { overflow-x: auto; overflow-y: hidden; padding: .3rem 0 } math { font-size: 1.1em } math[display=block] { text-align: left; margin: 0 } code { white-space: pre-wrap; overflow-wrap: anywhere }
+.formula { overflow-x: auto; overflow-y: hidden; padding: .3rem 0 } math { font-size: 1.1em } math[display=block] { width: max-content; margin: 0 } code { white-space: pre-wrap; overflow-wrap: anywhere }
 svg { max-width: 100%; height: auto; display: block } svg rect { fill: var(--bar) } svg text { fill: CanvasText; font: 13px system-ui, sans-serif } small { opacity: .85 }
-@media (max-width: 30rem) { th, td { padding-right: .4rem } .wide { font-size: .85rem } }
+@media (max-width: 30rem) { th, td { padding-right: .4rem } .wide { font-size: .78rem } }
 @media print { :root { color-scheme: only light; --good: #1a7f37; --bad: #cf222e; --wait: #9a6700 } body { max-width: none; font-size: 11pt; padding: 0 } .formula, .wide { overflow: visible } h2 { break-after: avoid } tr { break-inside: avoid } .line, svg rect { print-color-adjust: exact } }
 ";
 

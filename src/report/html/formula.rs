@@ -72,14 +72,27 @@ const ATTRIBUTES: [&str; 27] = [
     "style",
 ];
 
-/// Draws a formula in a line of its own.
+/// Draws a formula in a line of its own; a long one in pieces, so that it goes on in the next line of a narrow page.
 pub(in crate::report) fn formula(source: &str) -> Markup {
-    drawn_as(source, DisplayMode::Block)
+    let source = bare(source);
+    match drawn(source, DisplayMode::Block) {
+        Some(drawn) => match pieces(&drawn).as_slice() {
+            [] | [_] => html! { (PreEscaped(&drawn)) },
+            pieces => html! {
+                @for piece in pieces { math displaystyle="true" { (PreEscaped(piece)) } wbr; }
+            },
+        },
+        None => html! { code { (source) } },
+    }
 }
 
 /// Draws a formula inside a text.
 pub(super) fn inline(source: &str) -> Markup {
-    drawn_as(source, DisplayMode::Inline)
+    let source = bare(source);
+    match drawn(source, DisplayMode::Inline) {
+        Some(drawn) => html! { (PreEscaped(drawn)) },
+        None => html! { code { (source) } },
+    }
 }
 
 /// Whether a formula is drawn in a line of its own, and not shown as it is written.
@@ -93,12 +106,38 @@ fn bare(source: &str) -> &str {
     source.trim_end_matches("\\\\").trim()
 }
 
-fn drawn_as(source: &str, mode: DisplayMode) -> Markup {
-    let source = bare(source);
-    match drawn(source, mode) {
-        Some(drawn) => html! { (PreEscaped(drawn)) },
-        None => html! { code { (source) } },
+/// Formulas of fewer parts are drawn in one piece.
+const SHORT: usize = 12;
+
+/// What a drawn formula may be parted before.
+const RELATIONS: [&str; 6] = ["=", "≡", "≈", "≠", "≤", "≥"];
+const SIGNS: [&str; 3] = ["+", "−", "±"];
+
+/// A drawn formula, parted before its relations and signs.
+fn pieces(drawn: &str) -> Vec<String> {
+    let Ok(tree) = roxmltree::Document::parse(drawn) else {
+        return vec![];
+    };
+    let parts: Vec<_> = tree.root_element().children().collect();
+    let mut pieces: Vec<String> = vec![String::new()];
+    if parts.len() < SHORT {
+        return pieces;
     }
+    let mut after_sign = true;
+    for part in parts {
+        let text = part.text().filter(|_| part.has_tag_name("mo"));
+        let relates = text.is_some_and(|text| RELATIONS.contains(&text));
+        let parts = relates || text.is_some_and(|text| SIGNS.contains(&text)) && !after_sign;
+        let own = &drawn[part.range()];
+        match (parts, pieces.last_mut()) {
+            (false, Some(last)) => last.push_str(own),
+            // At the beginning of a piece it still stands between two sides.
+            _ => pieces.push(own.replacen("<mo", "<mo form=\"infix\"", 1)),
+        }
+        after_sign = relates;
+    }
+    pieces.retain(|piece| !piece.is_empty());
+    pieces
 }
 
 thread_local! {
@@ -129,7 +168,7 @@ fn draw(source: &str, mode: DisplayMode) -> Option<String> {
     if source.len() > LONGEST || depth(source) > DEEPEST {
         return None;
     }
-    let aligned = source.replace('&', " ");
+    let source = without_alignment(source);
     let drawn = catch_unwind(|| {
         let storage = Storage::new();
         let config = RenderConfig {
@@ -137,12 +176,74 @@ fn draw(source: &str, mode: DisplayMode) -> Option<String> {
             ..RenderConfig::default()
         };
         let mut drawn = String::new();
-        let events: Result<Vec<_>, _> = Parser::new(&aligned, &storage).collect();
+        let events: Result<Vec<_>, _> = Parser::new(&source, &storage).collect();
         let events = events.ok()?.into_iter().map(Ok::<_, std::fmt::Error>);
         push_mathml(&mut drawn, events, config).ok()?;
         Some(drawn)
     });
-    drawn.ok().flatten().filter(|drawn| is_harmless(drawn))
+    let drawn = drawn.ok().flatten().map(|drawn| mended(&drawn));
+    drawn.filter(|drawn| is_harmless(drawn))
+}
+
+/// A source without the marks that align its row with others; those of a matrix in it part its cells.
+fn without_alignment(source: &str) -> String {
+    let parts = source.split('&').scan(0, |depth, part| {
+        let (begun, ended) = (
+            part.matches("\\begin").count(),
+            part.matches("\\end").count(),
+        );
+        *depth = (*depth + begun).saturating_sub(ended);
+        Some([part, if *depth == 0 { " " } else { "&" }])
+    });
+    let parts: Vec<&str> = parts.flatten().collect();
+    parts[..parts.len().saturating_sub(1)].concat()
+}
+
+/// What the renderer writes, and what browsers draw as it is meant: a space is no entity, dots over a letter are as large as
+/// those of its index, accents don't grow, and no space stands between a function and its power.
+const MENDED: [(&str, &str); 10] = [
+    ("&amp;nbsp;", "\u{a0}"),
+    ("&nbsp;", "\u{a0}"),
+    (
+        "<mi>˙</mi></mover>",
+        "<mo stretchy=\"false\" scriptlevel=\"-1\">˙</mo></mover>",
+    ),
+    (
+        "<mi>¨</mi></mover>",
+        "<mo stretchy=\"false\" scriptlevel=\"-1\">¨</mo></mover>",
+    ),
+    (
+        "<mi>→</mi></mover>",
+        "<mo stretchy=\"false\">→</mo></mover>",
+    ),
+    (
+        "<mi>^</mi></mover>",
+        "<mo stretchy=\"false\">^</mo></mover>",
+    ),
+    (
+        "<mi>~</mi></mover>",
+        "<mo stretchy=\"false\">~</mo></mover>",
+    ),
+    (
+        "<msup><mspace width=\"0.1667em\" />",
+        "<mspace width=\"0.1667em\" /><msup>",
+    ),
+    (
+        "<msub><mspace width=\"0.1667em\" />",
+        "<mspace width=\"0.1667em\" /><msub>",
+    ),
+    (
+        "<msubsup><mspace width=\"0.1667em\" />",
+        "<mspace width=\"0.1667em\" /><msubsup>",
+    ),
+];
+
+fn mended(drawn: &str) -> String {
+    MENDED
+        .iter()
+        .fold(drawn.to_owned(), |drawn, (written, meant)| {
+            drawn.replace(written, meant)
+        })
 }
 
 /// How deep brackets stand in each other.
@@ -159,6 +260,15 @@ fn depth(source: &str) -> usize {
     deepest
 }
 
+/// How many parts an element has whose parts mean something by their place: a browser draws it as a plain row with others.
+fn parts_of(element: &str) -> Option<usize> {
+    match element {
+        "mfrac" | "mroot" | "msub" | "msup" | "munder" | "mover" => Some(2),
+        "msubsup" | "munderover" => Some(3),
+        _ => None,
+    }
+}
+
 /// Whether a drawn formula has nothing in it but what formulas are drawn with.
 fn is_harmless(drawn: &str) -> bool {
     let Ok(tree) = roxmltree::Document::parse(drawn) else {
@@ -167,7 +277,9 @@ fn is_harmless(drawn: &str) -> bool {
     let elements = tree.descendants().filter(roxmltree::Node::is_element);
     elements.into_iter().all(|element| {
         let name = element.tag_name().name();
+        let parts = element.children().filter(roxmltree::Node::is_element);
         ELEMENTS.contains(&name)
+            && parts_of(name).is_none_or(|fixed| fixed == parts.count())
             && element.attributes().all(|attribute| {
                 let value = attribute.value().to_ascii_lowercase();
                 ATTRIBUTES.contains(&attribute.name())
@@ -222,6 +334,28 @@ mod tests {
                 .into_string()
                 .starts_with("<code>")
         );
+    }
+
+    #[test]
+    fn what_is_drawn_is_what_is_written() {
+        let drawn = |source: &str| formula(source).into_string();
+        let matrix = drawn("&A = \\begin{pmatrix} a & b \\\\ c & d \\end{pmatrix}");
+        assert_eq!(matrix.matches("<mtd>").count(), 4, "{matrix}");
+        let power = drawn("\\theta\\sin^2\\theta");
+        assert!(
+            power.contains("<msup><mi>sin</mi><mn>2</mn></msup>"),
+            "{power}"
+        );
+        let long = drawn(
+            "M_x = I_{xx}\\dot\\omega_x - I_{xz}\\dot\\omega_z + (I_{zz} - I_{yy})\\omega_y\\omega_z",
+        );
+        assert_eq!(long.matches("<wbr>").count(), 4, "{long}");
+        let spaced = drawn("a\\ b\\text{ for }c~d");
+        assert!(
+            spaced.starts_with("<math") && !spaced.contains("nbsp"),
+            "{spaced}"
+        );
+        assert!(drawn("\\dot L_x").contains("scriptlevel=\"-1\">˙</mo></mover>"));
     }
 
     #[test]
