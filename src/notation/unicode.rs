@@ -213,17 +213,18 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
     })
 }
 
+/// The command of a Greek letter; none where a Latin one is drawn alike, for which LaTeX has no command.
 fn greek(c: char) -> Option<&'static str> {
     const LOWER: [&str; 25] = [
         "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa",
-        "lambda", "mu", "nu", "xi", "o", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi",
+        "lambda", "mu", "nu", "xi", "", "pi", "rho", "sigma", "sigma", "tau", "upsilon", "phi",
         "chi", "psi", "omega",
     ];
     const UPPER: [&str; 25] = [
-        "A", "B", "Gamma", "Delta", "E", "Z", "H", "Theta", "I", "K", "Lambda", "M", "N", "Xi",
-        "O", "Pi", "P", "", "Sigma", "T", "Upsilon", "Phi", "X", "Psi", "Omega",
+        "", "", "Gamma", "Delta", "", "", "", "Theta", "", "", "Lambda", "", "", "Xi", "", "Pi",
+        "", "", "Sigma", "", "Upsilon", "Phi", "", "Psi", "Omega",
     ];
-    match c {
+    let name = match c {
         'α'..='ω' => LOWER.get(c as usize - 'α' as usize).copied(),
         'Α'..='Ω' => UPPER.get(c as usize - 'Α' as usize).copied(),
         'ϕ' => Some("phi"),
@@ -232,7 +233,8 @@ fn greek(c: char) -> Option<&'static str> {
         'ϖ' => Some("pi"),
         'ϱ' => Some("rho"),
         _ => None,
-    }
+    };
+    name.filter(|name| !name.is_empty())
 }
 
 /// The command that an alphabet of mathematics stands for: 𝐋 is a bold letter, ℒ a calligraphic one.
