@@ -43,8 +43,7 @@ pub fn mark(key: &Key, work: &Work) -> Graded {
         })
         .collect();
     let carried = carried(&mut markers, &paper);
-    let human = milestones.iter().filter(|m| m.outcome == Outcome::Human);
-    troubles.extend(human.map(|m| format!("{}: {}", m.label, m.reason)));
+    troubles.extend(waiting(&milestones));
     Graded {
         id: work.id.clone(),
         marks: key.policy.total(milestones.iter().map(|m| m.marks)),
@@ -89,6 +88,23 @@ fn unmarked(key: &Key, work: &Work, troubles: &[String], reason: &str, outcome: 
         lines: vec![],
         questions: vec![],
     }
+}
+
+/// Why milestones wait for a person, those for one reason together.
+fn waiting(milestones: &[Reached]) -> Vec<String> {
+    let mut reasons: Vec<(&str, Vec<&str>)> = vec![];
+    for waits in milestones.iter().filter(|m| m.outcome == Outcome::Human) {
+        match reasons
+            .iter_mut()
+            .find(|(reason, _)| *reason == waits.reason)
+        {
+            Some((_, labels)) => labels.push(&waits.label),
+            None => reasons.push((&waits.reason, vec![&waits.label])),
+        }
+    }
+    let said = reasons.iter();
+    said.map(|(reason, labels)| format!("{}: {reason}", labels.join(", ")))
+        .collect()
 }
 
 fn joined(reasons: &[String]) -> Option<String> {

@@ -438,3 +438,25 @@ fn letters_of_which_nothing_is_told_cost_no_marks_in_silence() {
     let graded = marked("$$M_q = \\dot L_q + \\omega_y L_z - \\omega_z L_y$$");
     assert_eq!(outcomes(&graded)[1], "human", "{graded:?}");
 }
+
+#[test]
+fn milestones_that_wait_for_one_reason_are_named_together() {
+    let graded = marked("$$L_x = I_{xx}\\omega_x - I_{xz}\\omega_z + \\eta$$");
+    let queue = graded.queue.unwrap_or_default();
+    assert_eq!(
+        queue.matches("line 1 was not decided").count(),
+        1,
+        "{queue}"
+    );
+    assert!(queue.starts_with("(1), (2), (4), (5): "), "{queue}");
+}
+
+#[test]
+fn a_greek_capital_that_looks_latin_is_a_letter_of_its_own() {
+    let graded = marked(&format!("{LAW}{}", COMPONENT.replace("M_x", "\u{39c}_x")));
+    let queue = graded.queue.unwrap_or_default();
+    assert!(
+        queue.contains("U+039C") && !queue.contains("command"),
+        "{queue}"
+    );
+}

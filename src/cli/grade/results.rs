@@ -78,7 +78,7 @@ impl Class<'_> {
         let mut done = Ok(());
         students.show(|all| {
             let each = all.inspect(|student| {
-                tally.add(self.key, student);
+                tally.add(student);
                 for book in &mut books {
                     let added = book.add(self.key, student, self.telling.detail);
                     done = std::mem::replace(&mut done, Ok(())).and(added);

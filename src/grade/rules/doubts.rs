@@ -130,7 +130,7 @@ impl Marker<'_> {
                 decision(
                     Outcome::Human,
                     Some(line),
-                    format!("{} is open: {reason}", self.name(line)),
+                    format!("{} was not decided: {reason}", self.name(line)),
                 )
             }
             None => decided,

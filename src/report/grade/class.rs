@@ -1,19 +1,19 @@
 //! The page of the class: marks, milestones, mistakes, and who waits for a person.
 
-use crate::grade::{Graded, Key, Outcome};
+use crate::grade::{Graded, Key, Marks, Outcome};
 use crate::report::html::{document, prose};
 use maud::{Markup, html};
 use std::collections::BTreeMap;
 
-/// Bars of the distribution of marks.
-const BARS: usize = 10;
+/// The most bars of the distribution of marks, beside one for all of them.
+const BARS: usize = 12;
 
 /// What is counted of the students of a class.
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     students: usize,
     /// How many have how many marks.
-    marks: [usize; BARS],
+    marks: BTreeMap<Marks, usize>,
     /// How often which milestone came out how.
     outcomes: BTreeMap<String, [usize; OUTCOMES.len()]>,
     slips: BTreeMap<String, usize>,
@@ -33,15 +33,9 @@ const OUTCOMES: [Outcome; 4] = [
 
 impl Tally {
     /// Counts a student.
-    pub fn add(&mut self, key: &Key, student: &Graded) {
+    pub fn add(&mut self, student: &Graded) {
         self.students += 1;
-        let most = key.max().to_f64();
-        let part = if most > 0.0 {
-            student.marks.to_f64() / most
-        } else {
-            0.0
-        };
-        self.marks[((part * BARS as f64) as usize).min(BARS - 1)] += 1;
+        *self.marks.entry(student.marks).or_default() += 1;
         for reached in &student.milestones {
             let counts = self.outcomes.entry(reached.label.clone()).or_default();
             let column = OUTCOMES.iter().position(|own| *own == reached.outcome);
@@ -64,16 +58,36 @@ impl Tally {
     pub fn waiting(&self) -> usize {
         self.queue.len()
     }
+
+    /// The mean of all marks and their median, to a tenth.
+    fn middle(&self) -> (f64, f64) {
+        let tenths = |number: f64| (number * 10.0).round() / 10.0;
+        let counts = self.marks.iter();
+        let sum: f64 = counts.map(|(marks, n)| marks.to_f64() * *n as f64).sum();
+        let at = |place: usize| {
+            let mut counts = self.marks.iter().scan(0, |before, (marks, n)| {
+                *before += n;
+                Some((marks.to_f64(), *before))
+            });
+            let found = counts.find(|(_, up_to)| place < *up_to);
+            found.map_or(0.0, |(marks, _)| marks)
+        };
+        let of = self.students.max(1);
+        let median = (at((of - 1) / 2) + at(of / 2)) / 2.0;
+        (tenths(sum / of as f64), tenths(median))
+    }
 }
 
 /// The page of a class, with those on the roster who handed in nothing.
 pub fn page(key: &Key, tally: &Tally, missing: &[String]) -> String {
     let waiting = tally.waiting();
+    let (mean, median) = tally.middle();
     let body = html! {
         h1 { (key.name) }
-        p { (number(tally.students, "submission", "submissions")) ", of which " (number(waiting, "waits", "wait")) " for a person. " (key.max()) " marks at most." }
+        p { (number(tally.students, "submission", "submissions")) ", of which " (number(waiting, "waits", "wait")) " for a person." }
+        p { (key.max()) " marks at most, mean " (mean) ", median " (median) "." @if waiting > 0 { " A milestone that waits counts as no marks." } }
         h2 { "Marks" }
-        (bars(&distribution(key, tally)))
+        (bars(&distribution(key.max(), tally)))
         h2 { "Milestones" }
         (milestones(key, tally))
         @let slips = most_first(&tally.slips);
@@ -94,15 +108,31 @@ pub fn page(key: &Key, tally: &Tally, missing: &[String]) -> String {
     document(&key.name, &body)
 }
 
-/// How many students have how many marks.
-fn distribution(key: &Key, tally: &Tally) -> Vec<(String, usize)> {
-    let most = key.max().to_f64();
-    let name = |at: usize| {
-        let bound = |n: usize| (most * n as f64 / BARS as f64 * 100.0).round() / 100.0;
-        format!("{} to {}", bound(at), bound(at + 1))
+/// How many students have how many marks: in steps of one, two or five of a decimal place, and the most by itself.
+fn distribution(most: Marks, tally: &Tally) -> Vec<(String, usize)> {
+    let most = most.to_f64();
+    let mut steps =
+        (-3..6).flat_map(|power| [1.0, 2.0, 5.0].map(|digit| digit * 10f64.powi(power)));
+    let step = steps.find(|step| most / step <= BARS as f64);
+    let step = step.unwrap_or(most.max(1.0));
+    let place = |marks: f64| (marks / step + 1e-9) as usize;
+    let last = (most / step - 1e-9).ceil() as usize;
+    let mut counts = vec![0; last + 1];
+    let mut whole = true;
+    for (marks, count) in &tally.marks {
+        let marks = marks.to_f64();
+        let at = if marks >= most { last } else { place(marks) };
+        counts[at.min(last)] += count;
+        whole &= marks >= most || (marks / step - place(marks) as f64).abs() < 1e-6;
+    }
+    let bound = |at: usize| (step * at as f64).min(most);
+    let bound = |at: usize| (bound(at) * 1000.0).round() / 1000.0;
+    let name = |at: usize| match whole || at == last {
+        true => bound(at).to_string(),
+        false => format!("{} to {}", bound(at), bound(at + 1)),
     };
-    let counts = tally.marks.iter().enumerate();
-    counts.map(|(at, count)| (name(at), *count)).collect()
+    let counts = counts.into_iter().enumerate();
+    counts.map(|(at, count)| (name(at), count)).collect()
 }
 
 fn milestones(key: &Key, tally: &Tally) -> Markup {
@@ -161,13 +191,51 @@ fn bars(numbers: &[(String, usize)]) -> Markup {
         .max(1);
     let height = numbers.len() * HEIGHT;
     html! {
-        svg role="img" viewBox=(format!("0 0 460 {height}")) width="460" height=(height) {
+        svg role="img" viewBox=(format!("0 0 340 {height}")) width="340" height=(height) {
             @for (at, (name, count)) in numbers.iter().enumerate() {
                 @let top = at * HEIGHT;
                 text x="0" y=(top + 15) { (name) }
-                rect x="130" y=(top + 3) width=(count * 280 / most) height=(HEIGHT - 6) {}
-                text x=(136 + count * 280 / most) y=(top + 15) { (count) }
+                rect x="130" y=(top + 3) width=(count * 170 / most) height=(HEIGHT - 6) {}
+                text x=(136 + count * 170 / most) y=(top + 15) { (count) }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn tally(marks: &[f64]) -> Tally {
+        let mut tally = Tally::default();
+        for marks in marks.iter().filter_map(|&number| Marks::new(number)) {
+            tally.students += 1;
+            *tally.marks.entry(marks).or_default() += 1;
+        }
+        tally
+    }
+
+    fn bars_of(most: f64, marks: &[f64]) -> Vec<(String, usize)> {
+        let all = distribution(Marks::new(most).unwrap_or_default(), &tally(marks));
+        all.into_iter().filter(|(_, count)| *count > 0).collect()
+    }
+
+    #[test]
+    fn every_mark_has_a_bar_with_a_plain_name() {
+        let bar = |name: &str, count| (name.to_owned(), count);
+        assert_eq!(
+            bars_of(8.0, &[0.0, 5.0, 8.0, 8.0]),
+            [bar("0", 1), bar("5", 1), bar("8", 2)]
+        );
+        assert_eq!(bars_of(8.0, &[7.5, 8.0]), [bar("7 to 8", 1), bar("8", 1)]);
+        assert_eq!(bars_of(50.0, &[49.0]), [bar("45 to 50", 1)]);
+        assert_eq!(bars_of(0.0, &[0.0]).len(), 1);
+    }
+
+    #[test]
+    fn the_middle_of_a_class() {
+        assert_eq!(tally(&[1.0, 2.0, 6.0]).middle(), (3.0, 2.0));
+        assert_eq!(tally(&[1.0, 2.0]).middle(), (1.5, 1.5));
+        assert_eq!(tally(&[]).middle(), (0.0, 0.0));
     }
 }
