@@ -161,6 +161,13 @@ impl Students {
         self.places.len()
     }
 
+    /// The student at a place in their order.
+    pub(super) fn at(&self, place: usize) -> io::Result<Graded> {
+        let at = self.places.get(place);
+        let at = at.ok_or_else(|| io::Error::other("there is no such student"))?;
+        self.lines.borrow_mut().graded(*at)
+    }
+
     /// Shows all of them in their order.
     pub(super) fn show<T>(
         &self,

@@ -93,18 +93,23 @@ impl Class<'_> {
     /// Fills in a worksheet that was downloaded, and says who is not in it.
     fn fill(&self, path: &Path, students: &Students) -> Result<(), String> {
         let text = input::read_with_mark(path).map_err(|error| failed(path, &error))?;
-        let detail = self.telling.detail;
-        let all = students.show(|all| Ok(all.map(|s| told(&s, detail)).collect::<Vec<Graded>>()));
-        let told = all.map_err(|error| failed(self.out, &error))?;
-        let filled = worksheet::fill(&text, self.key, &told).map_err(|why| failed(path, &why))?;
-        if !filled.unknown.is_empty() {
-            let unknown = filled.unknown.join(", ");
+        let ids = students.show(|all| Ok(all.map(|student| student.id).collect::<Vec<_>>()));
+        let ids = ids.map_err(|error| failed(self.out, &error))?;
+        let student = |place: usize| {
+            let student = students.at(place).map_err(|error| error.to_string())?;
+            Ok(told(&student, self.telling.detail))
+        };
+        let filled = self.out.join("worksheet.csv");
+        let mut file = Replacement::of(&filled).map_err(|error| failed(&filled, &error))?;
+        let unknown = worksheet::fill(&text, self.key, &ids, student, &mut file);
+        let unknown = unknown.map_err(|why| failed(path, &why))?;
+        if !unknown.is_empty() {
+            let unknown = unknown.join(", ");
             eprintln!(
                 "warning: {}: these students are not in it: {unknown}",
                 input::name(path)
             );
         }
-        let path = self.out.join("worksheet.csv");
-        output::replace(&path, &filled.text).map_err(|error| failed(&path, &error))
+        file.finish().map_err(|error| failed(&filled, &error))
     }
 }

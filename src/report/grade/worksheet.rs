@@ -3,17 +3,8 @@
 use crate::grade::{Graded, Key};
 use crate::report::grade::gradebook::{cell, feedback};
 use crate::report::grade::table::{Row, rows};
-use std::collections::{BTreeMap, BTreeSet};
+use std::io::Write;
 use std::ops::Range;
-
-/// A worksheet that is filled in.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Filled {
-    /// Its text: that of the download, but for the cells of grades and of feedback.
-    pub text: String,
-    /// The students who are not in it.
-    pub unknown: Vec<String>,
-}
 
 /// Columns that tell who a student is.
 const WHO: [&str; 6] = [
@@ -25,12 +16,21 @@ const WHO: [&str; 6] = [
     "identity",
 ];
 
-/// Puts marks and feedback into a worksheet, of what students are told. Who waits for a person gets no grade yet.
+/// Puts marks and feedback into a worksheet and writes it, row by row: every other byte stays. `ids` are in their order, and
+/// `told` is what one of them is told, by its place there. Who waits for a person gets no grade yet. Returns the ids that are
+/// not in the worksheet.
 ///
 /// # Errors
 ///
-/// In words, where a column is not there, or where the worksheet has another maximum than the key.
-pub fn fill(text: &str, key: &Key, told: &[Graded]) -> Result<Filled, String> {
+/// In words, where a column is not there, where the worksheet has another maximum than the key, and those of `told` and of
+/// the writer.
+pub fn fill<'i>(
+    text: &str,
+    key: &Key,
+    ids: &'i [String],
+    told: impl Fn(usize) -> Result<Graded, String>,
+    mut to: impl Write,
+) -> Result<Vec<&'i str>, String> {
     let mut rows = rows(text);
     let titles = rows.next().map(|row| row.values(text)).unwrap_or_default();
     let titles: Vec<String> = titles.iter().map(|t| t.trim().to_lowercase()).collect();
@@ -42,44 +42,50 @@ pub fn fill(text: &str, key: &Key, told: &[Graded]) -> Result<Filled, String> {
     if who.is_empty() {
         return Err("no column of it says who a student is, such as Identifier".to_owned());
     }
-    let students: BTreeMap<&str, &Graded> = told.iter().map(|s| (s.id.as_str(), s)).collect();
-    let mut known: BTreeSet<&str> = BTreeSet::new();
-    let mut put: Vec<(Range<usize>, String)> = vec![];
+    let (mut known, mut from) = (vec![false; ids.len()], 0);
     for row in rows {
         let values = row.values(text);
-        let Some(student) = who
-            .iter()
-            .filter_map(|&at| values.get(at))
-            .find_map(|value| named(&students, value))
-        else {
+        let mut names = who.iter().filter_map(|&at| values.get(at));
+        let Some(place) = names.find_map(|value| named(ids, value)) else {
             continue;
         };
-        known.insert(&student.id);
+        known[place] = true;
         fits(key, most.and_then(|at| values.get(at)))?;
+        let student = told(place)?;
+        let mut put: Vec<(Range<usize>, String)> = vec![];
         if student.queue.is_none() {
             put.extend(at(&row, grade).map(|cell| (cell, student.marks.to_string())));
         }
-        let said = cell(&feedback(student));
+        let said = cell(&feedback(&student));
         put.extend(comments.and_then(|c| at(&row, c)).map(|cell| (cell, said)));
+        put.sort_by_key(|(cell, _)| cell.start);
+        for (cell, value) in put {
+            write(&mut to, &text[from..cell.start])?;
+            write(&mut to, &value)?;
+            from = cell.end;
+        }
     }
-    let unknown = told.iter().filter(|s| !known.contains(s.id.as_str()));
-    Ok(Filled {
-        unknown: unknown.map(|s| s.id.clone()).collect(),
-        text: spliced(text, put),
-    })
+    write(&mut to, &text[from..])?;
+    let unknown = ids.iter().zip(known).filter(|(_, known)| !known);
+    Ok(unknown.map(|(id, _)| id.as_str()).collect())
+}
+
+fn write(to: &mut impl Write, text: &str) -> Result<(), String> {
+    let done = to.write_all(text.as_bytes());
+    done.map_err(|error| error.to_string())
 }
 
 fn at(row: &Row, column: usize) -> Option<Range<usize>> {
     row.cells.get(column).cloned()
 }
 
-/// The student whom a cell names: by the id, or by the number behind a word, as in `Participant 123`.
-fn named<'s>(students: &BTreeMap<&str, &'s Graded>, value: &str) -> Option<&'s Graded> {
+/// The place of the student whom a cell names: by the id, or by the number behind a word, as in `Participant 123`.
+fn named(ids: &[String], value: &str) -> Option<usize> {
+    let place = |name: &str| ids.binary_search_by(|id| id.as_str().cmp(name)).ok();
     let value = value.trim();
     let number = value.rsplit(char::is_whitespace).next().unwrap_or("");
     let number = Some(number).filter(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
-    let found = students.get(value);
-    found.or_else(|| students.get(number?)).copied()
+    place(value).or_else(|| place(number?))
 }
 
 /// Whether a maximum of the worksheet is that of the key.
@@ -95,17 +101,4 @@ fn fits(key: &Key, most: Option<&String>) -> Result<(), String> {
         )),
         _ => Ok(()),
     }
-}
-
-/// A text with other cells in the place of some.
-fn spliced(text: &str, mut put: Vec<(Range<usize>, String)>) -> String {
-    put.sort_by_key(|(cell, _)| cell.start);
-    let (mut filled, mut at) = (String::with_capacity(text.len()), 0);
-    for (cell, value) in put {
-        filled.push_str(&text[at..cell.start]);
-        filled.push_str(&value);
-        at = cell.end;
-    }
-    filled.push_str(&text[at..]);
-    filled
 }
