@@ -45,7 +45,7 @@ pub(crate) use declared::Shared;
 pub use declared::{check_declared, judge_declared};
 pub use language::wants::Wants;
 pub use meanings::check;
-pub(crate) use standing::apart::{Apart, Said, WorkedOut};
+pub(crate) use standing::apart::{Apart, Said, Withheld, WorkedOut};
 pub(crate) use standing::memory::Wording;
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{

@@ -6,6 +6,7 @@ mod grade {
     mod class;
     mod command;
     mod effort;
+    mod exercise;
     mod feedback;
     mod hostile;
     mod key;

@@ -1,9 +1,10 @@
 //! The key: an instructor's derivation, proved before anything is held against it.
 
 use crate::diagnostic::Severity;
+use crate::grade::key::axes::named_axes;
 use crate::grade::key::groups::groups;
 use crate::grade::key::refusal::{at, refusal};
-use crate::grade::key::routes::route;
+use crate::grade::key::routes::{Route, route};
 use crate::grade::matching::{self, Board};
 use crate::grade::meaning::Meaning;
 use crate::grade::policy::{Marks, Policy};
@@ -11,12 +12,14 @@ use crate::notation::document::{Document, Format, Sentence};
 use crate::notation::{self, document::FrontMatter};
 use crate::source::{Source, Span};
 use crate::verify::language::statement::Extent;
-use crate::verify::{self, Declared, Finding, Report, Role, Sheet, Verdict};
+use crate::verify::{self, Declared, Finding, Report, Role, Sheet, Verdict, Withheld};
 use num_traits::Zero;
 
+mod axes;
 mod groups;
 mod refusal;
 mod routes;
+mod withheld;
 
 pub use refusal::Refusal;
 
@@ -40,8 +43,12 @@ pub(super) struct Stage {
     pub(super) meaning: [Meaning; 2],
     /// The lines of the key that are given from the beginning: definitions, and assumptions so far.
     pub(super) given: Vec<Span>,
-    /// For each line of the key, the earlier lines of it from which it follows without a law.
-    pub(super) routes: Vec<Vec<usize>>,
+    /// How each line of the key follows from earlier ones.
+    pub(super) routes: Vec<Route>,
+    /// What is declared and says what its milestones say: they are looked for without it.
+    withheld: Withheld,
+    /// An earlier stage with the same given, by which lines are judged here too.
+    pub(super) judged_as: Option<usize>,
 }
 
 /// A key that holds.
@@ -62,6 +69,8 @@ pub struct Key {
     /// Whether its meaning is declared.
     pub(super) is_declared: bool,
     sheets: Vec<Vec<Sentence>>,
+    /// What its lines take letters for that axes have the names of, in sentences.
+    axes: Vec<String>,
 }
 
 impl Key {
@@ -98,6 +107,7 @@ impl Key {
             false => verify::check_declared(&document, &declared),
         };
         wrong.extend(of_report(&document, &report));
+        let axes = named_axes(&document, &declared, &report);
         let mut front = std::mem::take(&mut document.front_matter);
         front.other.clear();
         let mut key = Self {
@@ -111,9 +121,11 @@ impl Key {
             stages: vec![],
             policy,
             document,
+            axes,
         };
         wrong.extend(key.find_milestones(&report));
         if wrong.is_empty() {
+            key.withhold();
             wrong.extend(key.lay_routes());
         }
         if wrong.is_empty() {
@@ -214,22 +226,35 @@ impl Key {
         given.sort_unstable();
         self.sheets.push(sentences);
         let stage = self.stages.len();
+        let meaning = [false, true]
+            .map(|entries| self.meaning_without(&Withheld::default(), stage, entries, &[]));
         self.stages.push(Stage {
-            meaning: [
-                self.meaning(stage, false, &[]),
-                self.meaning(stage, true, &[]),
-            ],
+            meaning,
             given,
             routes: vec![],
+            withheld: Withheld::default(),
+            judged_as: None,
         });
         stage
     }
 
     /// What is declared of a submission at a stage, with more sentences.
     pub(super) fn meaning(&self, stage: usize, entries: bool, more: &[String]) -> Meaning {
+        let own = &self.stages[stage];
+        let given = own.judged_as.unwrap_or(stage);
+        self.meaning_without(&own.withheld, given, entries, more)
+    }
+
+    fn meaning_without(
+        &self,
+        withheld: &Withheld,
+        stage: usize,
+        entries: bool,
+        more: &[String],
+    ) -> Meaning {
         let (mut bare, _) = notation::read("", "", Format::Markdown);
         if !self.is_declared {
-            return Meaning::new(Declared::default(), bare);
+            return Meaning::new(Declared::default(), bare, withheld);
         }
         bare.macros = self.document.macros.clone();
         bare.front_matter = FrontMatter {
@@ -240,9 +265,10 @@ impl Key {
             source: self.document.source.clone(),
             sentences: self.sheets[0].clone(),
         }];
-        sheets.push(sheet(self.sheets[stage + 1].iter().map(|s| s.text.clone())));
+        let assumed = self.sheets[stage + 1].iter().map(|said| said.text.clone());
+        sheets.push(sheet(self.axes.iter().cloned().chain(assumed)));
         sheets.push(sheet(more.iter().cloned()));
-        Meaning::new(verify::declarations(&bare, &sheets), bare)
+        Meaning::new(verify::declarations(&bare, &sheets), bare, withheld)
     }
 
     /// The key as it is held against others, with the lines that are given.
@@ -266,8 +292,8 @@ impl Key {
                     unclear.misread.message
                 )));
             }
-            let given = self.stages[stage].given.clone();
-            let mut board = Board::new(meaning, self.sheet(&given), &[]);
+            let given = &self.stages[stage].given;
+            let mut board = Board::new(meaning, self.sheet(given), &[]);
             let last = self
                 .milestones
                 .iter()
@@ -364,7 +390,7 @@ fn not_told_apart(document: &Document, board: &Board<'_>, milestone: &Milestone)
         let message = match &entry.parts {
             None => "is no equation that can be looked for",
             Some(parts) if parts.iter().all(|part| part.residual.is_zero()) => {
-                "holds by what is declared alone, so that any line would reach it"
+                "holds by what is declared alone, so that any line would reach it; give marks to another line"
             }
             Some(_) => return None,
         };

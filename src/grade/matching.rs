@@ -36,6 +36,8 @@ pub(super) struct Part {
 pub(super) struct Entry {
     pub(super) span: Span,
     pub(super) parts: Option<Arc<[Part]>>,
+    /// What the two ends of a chain say.
+    pub(super) ends: Arc<[Part]>,
     /// Whether it says what a new letter is.
     pub(super) defines: bool,
     /// Whether it says that by letters of which nothing is told.
@@ -45,6 +47,24 @@ pub(super) struct Entry {
 }
 
 impl Entry {
+    /// What no line says by itself.
+    pub(super) fn of(parts: Vec<Part>) -> Self {
+        Self {
+            span: Span::default(),
+            parts: Some(parts.into()),
+            ends: Arc::default(),
+            defines: false,
+            by_unknown: false,
+            number: None,
+        }
+    }
+
+    /// A part that is an attempt: a component, or one of what its ends say, which are numbered behind these.
+    pub(super) fn part(&self, number: usize) -> Option<&Part> {
+        let parts = self.components();
+        parts.iter().chain(&*self.ends).nth(number)
+    }
+
     /// Its components, as far as they are worked out.
     pub(super) fn components(&self) -> &[Part] {
         self.parts.as_deref().unwrap_or_default()
@@ -55,6 +75,8 @@ impl Entry {
 pub(super) struct Board<'a> {
     apart: Apart<'a>,
     remembered: Remembered,
+    /// What laws say of the quantities of the key.
+    laws: Vec<Fraction>,
     pub(super) key: Arc<[Entry]>,
     pub(super) own: Vec<Vec<Entry>>,
     /// Whether a student defines a letter of the key in another way.
@@ -88,6 +110,7 @@ impl Sheet<'_, '_> {
             None => Entry {
                 span,
                 parts: None,
+                ends: Arc::default(),
                 defines: false,
                 by_unknown: false,
                 number: None,
@@ -134,6 +157,7 @@ impl<'a> Board<'a> {
         let KeyLines {
             worked_out,
             said: of_key,
+            laws,
             remembered,
         } = meaning.key_lines(&key);
         let mut apart = Apart::after(key.document, worked_out);
@@ -162,6 +186,7 @@ impl<'a> Board<'a> {
         Self {
             apart,
             remembered: remembered.clone(),
+            laws: laws.clone(),
             key,
             own,
             conflict,
@@ -220,6 +245,19 @@ impl<'a> Board<'a> {
         (follow || whole).then_some(follow)
     }
 
+    /// What laws say of the quantities of the key, as a line would.
+    pub(super) fn laws(&self) -> Entry {
+        let laws = self.laws.iter();
+        Entry::of(laws.map(|law| Part::new(law.clone(), None)).collect())
+    }
+
+    /// Whether a line of the key says what something is that never changes, such as a moment of inertia.
+    pub(super) fn is_constant(&self, line: usize) -> bool {
+        let parts = self.key[line].components();
+        let constant = |part: &Part| self.apart.is_constant(&part.residual);
+        !parts.is_empty() && parts.iter().all(constant)
+    }
+
     /// Whether letters of which nothing is told stand in a line.
     pub(super) fn has_unknown(&self, entry: &Entry) -> bool {
         let parts = entry.components().iter();
@@ -259,6 +297,10 @@ impl Part {
         self.terms == other.terms && own.scaled(b) == theirs.scaled(a)
     }
 
+    pub(super) fn has(&self, variable: Variable) -> bool {
+        self.variables.contains(&variable)
+    }
+
     pub(super) fn shares_variable(&self, other: &Self) -> bool {
         self.variables.iter().any(|v| other.variables.contains(v))
     }
@@ -276,10 +318,16 @@ impl Part {
 /// The entry of a line, if one of the class said the same before; else it is worked out.
 fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
     let wording = apart.wording(said);
-    if let Some(Parts { parts, number }) = wording.as_ref().and_then(|q| remembered.line(q)) {
+    if let Some(Parts {
+        parts,
+        ends,
+        number,
+    }) = wording.as_ref().and_then(|q| remembered.line(q))
+    {
         return Entry {
             span: said.span,
             parts,
+            ends,
             defines: false,
             by_unknown: false,
             number: Some(number),
@@ -290,7 +338,7 @@ fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
     let terms = entry.components().iter().map(|part| part.terms.len());
     let same = apart.changes() == changes && terms.sum::<usize>() <= MOST_TERMS;
     if let Some(wording) = wording.filter(|_| same) {
-        entry.number = Some(remembered.keep_line(wording, entry.parts.clone()));
+        entry.number = Some(remembered.keep_line(wording, &entry));
     }
     entry
 }
@@ -298,7 +346,7 @@ fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
 fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
     let sides = said.sides.as_ref();
     let by_unknown = said.defines && sides.is_some_and(|sides| tells_unknown(apart, sides));
-    let part = |(left, right): &(Fraction, Fraction)| {
+    let mut part = |(left, right): &(Fraction, Fraction)| {
         let residual = apart.normal(&(left.clone() - right.clone()))?;
         let head = [left, right]
             .into_iter()
@@ -307,7 +355,8 @@ fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
     };
     Entry {
         span: said.span,
-        parts: sides.and_then(|sides| sides.iter().map(part).collect()),
+        parts: sides.and_then(|sides| sides.iter().map(&mut part).collect()),
+        ends: said.ends.iter().filter_map(part).collect(),
         defines: said.defines,
         by_unknown,
         number: None,

@@ -1,15 +1,18 @@
 //! What a key declares of submissions, and what its own lines say by that: worked out once for a class.
 
+use crate::algebra::Fraction;
 use crate::grade::matching::Sheet;
 use crate::grade::remembered::Remembered;
 use crate::notation::document::Document;
-use crate::verify::{self, Apart, Declared, Finding, Report, Said, Shared, WorkedOut};
+use crate::verify::{self, Apart, Declared, Finding, Report, Said, Shared, Withheld, WorkedOut};
 use std::cell::OnceCell;
 
 /// What submissions mean.
 #[derive(Clone, Debug)]
 pub(super) struct Meaning {
     shared: Shared,
+    /// What lines are held against each other without.
+    withheld: Withheld,
     key: OnceCell<KeyLines>,
 }
 
@@ -18,15 +21,18 @@ pub(super) struct Meaning {
 pub(super) struct KeyLines {
     pub(super) worked_out: WorkedOut,
     pub(super) said: Vec<Said>,
+    /// What laws say of the quantities in its lines.
+    pub(super) laws: Vec<Fraction>,
     /// What lines came to beside them.
     pub(super) remembered: Remembered,
 }
 
 impl Meaning {
     /// By these sentences, written in the notation of a document without a line.
-    pub(super) fn new(declared: Declared, bare: Document) -> Self {
+    pub(super) fn new(declared: Declared, bare: Document, withheld: &Withheld) -> Self {
         Self {
             shared: Shared::new(declared, bare),
+            withheld: withheld.clone(),
             key: OnceCell::new(),
         }
     }
@@ -59,9 +65,10 @@ impl Meaning {
     /// What the lines of the key say.
     pub(super) fn key_lines(&self, key: &Sheet<'_, '_>) -> &KeyLines {
         self.key.get_or_init(|| {
-            let mut apart = Apart::new(key.document, &self.declared().declarations);
+            let mut apart = Apart::new(key.document, &self.declared().declarations, &self.withheld);
             let said = apart.lines(key.document, key.entries);
             KeyLines {
+                laws: apart.laws(),
                 worked_out: apart.worked_out(&key.given_of(&said)),
                 said,
                 remembered: Remembered::default(),

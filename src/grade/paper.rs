@@ -4,15 +4,17 @@ use crate::diagnostic::Severity;
 use crate::grade::key::Key;
 use crate::grade::lookalike::lookalike;
 use crate::grade::meaning::Meaning;
+use crate::grade::paper::products::products;
 use crate::grade::result::Place;
 use crate::grade::size;
-use crate::notation::ast::{Kind, Node};
-use crate::notation::document::{Document, Format, FrontMatter, Item, Row};
+use crate::notation::document::{Document, Format, FrontMatter, Item};
 use crate::notation::{self};
 use crate::source::Span;
 use crate::verify::{Finding, Report, Role, Verdict};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+
+mod products;
 
 /// A text of a student.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,6 +123,7 @@ pub(super) struct Paper<'k> {
 }
 
 /// What was found of all documents at one stage.
+#[derive(Clone)]
 struct Checked {
     reports: Vec<Report>,
     /// With what is assumed taken as claimed; none where nothing is assumed.
@@ -157,9 +160,13 @@ impl<'k> Paper<'k> {
             let why = &unclear.misread.message;
             troubles.push(format!("an answer is not understood: {why}"));
         }
-        let each: Vec<Checked> = (0..key.stages.len())
-            .map(|stage| at_stage(key, stage, entries, &meaning[stage], work, &documents))
-            .collect();
+        let mut each: Vec<Checked> = vec![];
+        for (number, stage) in key.stages.iter().enumerate() {
+            each.push(match stage.judged_as {
+                Some(same) => each[same].clone(),
+                None => at_stage(key, number, entries, &meaning[number], work, &documents),
+            });
+        }
         let spans = spans(&each, documents.len());
         let several = documents.len() > 1;
         Self {
@@ -197,62 +204,6 @@ fn give_no_orders(document: &mut Document, settings: &FrontMatter) {
         .retain(|item| !matches!(item, Item::Comment { .. }));
 }
 
-/// Whether products of inertia are entries: as the submission sets or its matrices show, else as the key has it.
-fn products(key: &Key, documents: &[Document]) -> bool {
-    let said = documents
-        .iter()
-        .find_map(|d| d.front_matter.products.as_deref());
-    match said {
-        Some("entries") => return true,
-        Some("integrals") => return false,
-        _ => {}
-    }
-    if !key.is_declared || !documents.iter().any(has_matrix) {
-        return key.entries;
-    }
-    let good = |entries: bool| {
-        let meaning = &key.stages[0].meaning[usize::from(entries)];
-        let matrices = documents.iter().flat_map(|document| {
-            let spans = matrix_lines(document);
-            let findings = meaning.judge(document).findings;
-            findings
-                .into_iter()
-                .filter(move |f| spans.contains(&f.span))
-        });
-        let verdicts: Vec<bool> = matrices
-            .map(|f| matches!(f.verdict, Verdict::Proved(_)))
-            .collect();
-        !verdicts.is_empty() && verdicts.iter().all(|proved| *proved)
-    };
-    if good(!key.entries) && !good(key.entries) {
-        !key.entries
-    } else {
-        key.entries
-    }
-}
-
-fn has_matrix(document: &Document) -> bool {
-    !matrix_lines(document).is_empty()
-}
-
-/// The lines in which a square matrix is written out.
-fn matrix_lines(document: &Document) -> Vec<Span> {
-    fn square(node: &Node) -> bool {
-        let own = matches!(&node.kind, Kind::Matrix(rows) if rows.len() == 3 && rows.iter().all(|row| row.len() == 3));
-        own || node.children().any(square)
-    }
-    let formulas = document.items.iter().filter_map(|item| match item {
-        Item::Formula(formula) => Some(formula),
-        _ => None,
-    });
-    let lines = formulas.flat_map(|f| &f.rows).filter_map(|row| match row {
-        Row::Line(line) => Some(line),
-        _ => None,
-    });
-    let squares = lines.filter(|line| line.sides.iter().any(square));
-    squares.map(|line| line.span).collect()
-}
-
 /// What a work means at each stage: by the key, and by what was answered.
 fn meaning<'k>(key: &'k Key, entries: bool, answers: &[String]) -> Vec<Cow<'k, Meaning>> {
     let stages = key.stages.iter().enumerate();
@@ -273,7 +224,8 @@ fn at_stage(
     documents: &[Document],
 ) -> Checked {
     // With the most given, one change may put a line right.
-    let is_last = stage + 1 == key.stages.len();
+    let mut later = key.stages.iter().skip(stage + 1);
+    let is_last = later.all(|later| later.judged_as.is_some());
     let reports = documents.iter().map(|document| match is_last {
         true => meaning.check(document),
         false => meaning.judge(document),

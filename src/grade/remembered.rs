@@ -29,6 +29,7 @@ struct Kept {
 #[derive(Clone, Debug)]
 pub(super) struct Parts {
     pub(super) parts: Option<Arc<[Part]>>,
+    pub(super) ends: Arc<[Part]>,
     pub(super) number: usize,
 }
 
@@ -59,14 +60,20 @@ impl Remembered {
     }
 
     /// Keeps the components of a line, and numbers them.
-    pub(super) fn keep_line(&self, wording: Wording, parts: Option<Arc<[Part]>>) -> usize {
+    pub(super) fn keep_line(&self, wording: Wording, entry: &Entry) -> usize {
+        let (parts, ends) = (entry.parts.clone(), entry.ends.clone());
         self.with(|kept| {
             if kept.lines.len() >= MOST_LINES {
                 kept.lines.clear();
             }
             let number = kept.numbered;
             kept.numbered += 1;
-            kept.lines.insert(wording, Parts { parts, number });
+            let parts = Parts {
+                parts,
+                ends,
+                number,
+            };
+            kept.lines.insert(wording, parts);
             number
         })
     }

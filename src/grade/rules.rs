@@ -7,6 +7,7 @@ use crate::grade::matching::{Board, Entry, Part, Sheet};
 use crate::grade::paper::{Paper, Worth};
 use crate::grade::result::Outcome;
 use crate::notation::document::line_name;
+use std::ops::Range;
 
 mod carried;
 mod doubts;
@@ -44,6 +45,8 @@ pub(super) struct Marker<'a> {
     paper: &'a Paper<'a>,
     stage: usize,
     board: Board<'a>,
+    /// The lines of the key about what never changes.
+    constants: Vec<usize>,
     /// For each line of the student that is wrong, what it is meant to be.
     attempts: Vec<Vec<Attempt>>,
 }
@@ -80,10 +83,12 @@ impl<'a> Marker<'a> {
             key.sheet(&key.stages[stage].given),
             &own,
         );
+        let constants = (0..board.key.len()).filter(|&line| board.is_constant(line));
         let mut marker = Self {
             key,
             paper,
             stage,
+            constants: constants.collect(),
             board,
             attempts: vec![],
         };
@@ -113,12 +118,7 @@ impl<'a> Marker<'a> {
     }
 
     fn goal(&self, goal: Goal) -> Option<&Part> {
-        self.board
-            .key
-            .get(goal.line)?
-            .parts
-            .as_ref()?
-            .get(goal.part)
+        self.board.key.get(goal.line)?.part(goal.part)
     }
 
     fn name(&self, line: usize) -> String {
@@ -136,9 +136,11 @@ impl<'a> Marker<'a> {
             return vec![];
         }
         let mut attempts = vec![];
-        for (at, part) in self.entry(line).components().iter().enumerate() {
+        let entry = self.entry(line);
+        let parts = entry.components().iter().chain(&*entry.ends);
+        for (at, part) in parts.enumerate() {
             let goals = self.board.key.iter().enumerate().flat_map(|(line, entry)| {
-                let parts = entry.components().iter().enumerate();
+                let parts = entry.components().iter().chain(&*entry.ends).enumerate();
                 parts.map(move |(part, own)| (Goal { line, part }, own))
             });
             let like: Vec<(Goal, f64)> = goals
@@ -166,23 +168,52 @@ impl<'a> Marker<'a> {
         &self.attempts[line]
     }
 
-    /// What becomes of a milestone: the worst of its goals.
+    /// What becomes of a milestone: the worst of its goals. A chain is reached by what its ends say, too, unless something
+    /// between them was written wrong.
     pub(super) fn milestone(&mut self, milestone: &Milestone) -> Decision {
-        let goals: Vec<Goal> = milestone
-            .lines
-            .iter()
-            .flat_map(|&line| {
-                let most = self.board.key.get(line).map_or(0, components);
-                (0..most).map(move |part| Goal { line, part })
-            })
-            .filter(|goal| self.goal(*goal).is_some_and(Part::says_something))
-            .collect();
+        let links = self.worst_of(milestone, |entry| 0..components(entry));
+        let tried = |line: &usize| {
+            let mut parts = 0..components(&self.board.key[*line]);
+            parts.any(|part| !self.wrong_at(Goal { line: *line, part }).is_empty())
+        };
+        let has_ends = |line: &usize| !self.board.key[*line].ends.is_empty();
+        let lines = milestone.lines.iter();
+        let by_ends = lines.clone().all(has_ends) && !lines.clone().any(tried);
+        if links.outcome == Outcome::Full || !by_ends {
+            return links;
+        }
+        let ends = self.worst_of(milestone, |entry| {
+            components(entry)..components(entry) + entry.ends.len()
+        });
+        match ends.outcome {
+            Outcome::Full | Outcome::FollowThrough => ends,
+            _ if ends.line.is_some() && links.line.is_none() => ends,
+            _ => links,
+        }
+    }
+
+    /// The worst decision on some parts of the lines of a milestone.
+    fn worst_of(
+        &mut self,
+        milestone: &Milestone,
+        parts: impl Fn(&Entry) -> Range<usize>,
+    ) -> Decision {
+        let lines = milestone.lines.iter().filter_map(|&line| {
+            let entry = self.board.key.get(line)?;
+            let goals = parts(entry).map(|part| Goal { line, part });
+            let goals = goals.filter(|goal| self.goal(*goal).is_some_and(Part::says_something));
+            Some(self.without_zeros(goals.collect()))
+        });
+        let goals: Vec<Goal> = lines.flatten().collect();
         let decided: Vec<Decision> = goals
             .iter()
             .map(|&goal| self.decide(goal, milestone.shown))
             .collect();
         let last = decided.iter().filter_map(|d| d.line).max();
-        let worst = decided.into_iter().max_by_key(|d| d.outcome);
+        // Of equal ones that counts which speaks of a line.
+        let worst = decided
+            .into_iter()
+            .max_by_key(|d| (d.outcome, d.line.is_some()));
         match worst {
             // Of several lines the last one reaches it.
             Some(worst) if worst.outcome == Outcome::Full => Decision {
@@ -195,6 +226,18 @@ impl<'a> Marker<'a> {
                 None,
                 "the key says nothing that can be looked for",
             ),
+        }
+    }
+
+    /// The goals of a vector without its components that are zero, which nobody need write, unless one was written wrong.
+    fn without_zeros(&self, goals: Vec<Goal>) -> Vec<Goal> {
+        let is_zero = |goal: &Goal| {
+            let single = self.goal(*goal).is_some_and(|part| part.terms().len() == 1);
+            single && self.wrong_at(*goal).is_empty()
+        };
+        match goals.iter().all(is_zero) {
+            true => goals,
+            false => goals.into_iter().filter(|goal| !is_zero(goal)).collect(),
         }
     }
 
@@ -228,9 +271,13 @@ impl<'a> Marker<'a> {
                     self.name(implied[0])
                 ),
             ),
-            (_, _, None) => match implied.first() {
-                Some(&line) => self.reached(goal, line),
-                None => self.not_found(&part),
+            (_, _, None) => match (implied.first(), self.right_in_wrong(goal, &part)) {
+                (Some(&line), _) => self.reached(goal, line),
+                (None, Some(line)) => {
+                    let reason = format!("{} has this component right", self.name(line));
+                    decision(Outcome::Full, Some(line), reason)
+                }
+                (None, None) => self.not_found(&part),
             },
         };
         self.unless_open(&part, decided)
@@ -243,6 +290,17 @@ impl<'a> Marker<'a> {
         wrong.map(|(line, _)| line).collect()
     }
 
+    /// The last line with a wrong attempt at another component of the same line of the key, and this one right.
+    fn right_in_wrong(&self, goal: Goal, part: &Part) -> Option<usize> {
+        let lines = 0..self.paper.lines.len();
+        lines.rev().find(|&line| {
+            let mut attempts = self.attempts[line].iter();
+            let mut own = self.entry(line).components().iter();
+            attempts.any(|attempt| attempt.goal.line == goal.line)
+                && own.any(|own| own.is_multiple_of(part))
+        })
+    }
+
     /// The true lines that say a goal: those that are it, and those from which it follows.
     fn reaching(&mut self, goal: Goal, part: &Part) -> (Vec<usize>, Vec<usize>) {
         let (mut direct, mut implied) = (vec![], vec![]);
@@ -252,7 +310,7 @@ impl<'a> Marker<'a> {
                 continue;
             }
             let entry = self.entry(line).clone();
-            if !self.board.says(&entry, part) {
+            if !self.board.says(&entry, part) && !self.says_by_constants(&entry, goal, part) {
                 continue;
             }
             let is_it = |own: &Part| {
@@ -267,9 +325,47 @@ impl<'a> Marker<'a> {
         (direct, implied)
     }
 
+    /// Whether a line says a goal with what the key says of things that never change, such as a moment of inertia: what it
+    /// says earlier, and what the student says too or leaves out of the line.
+    fn says_by_constants(&mut self, entry: &Entry, goal: Goal, part: &Part) -> bool {
+        let mut told: Vec<Entry> = vec![];
+        for at in self.constants.clone() {
+            if at < goal.line && (!self.stands_in(at, entry) || self.is_tried(at)) {
+                told.push(self.board.key[at].clone());
+            }
+        }
+        let goal = std::slice::from_ref(part);
+        if told.is_empty() || self.board.say_together(&told, goal) == Some(true) {
+            return false;
+        }
+        let from: Vec<Entry> = told.into_iter().chain([entry.clone()]).collect();
+        self.board.say_together(&from, goal) == Some(true)
+    }
+
+    /// Whether what a line of the key speaks of stands in another.
+    fn stands_in(&self, line: usize, entry: &Entry) -> bool {
+        let heads = self.board.key[line]
+            .components()
+            .iter()
+            .map(|part| part.head);
+        let mut heads = heads.flatten();
+        heads.any(|head| entry.components().iter().any(|part| part.has(head)))
+    }
+
+    /// Whether a student has a line for a line of the key, true or wrong.
+    fn is_tried(&mut self, line: usize) -> bool {
+        let parts = components(&self.board.key[line]);
+        (0..parts).any(|part| {
+            let goal = Goal { line, part };
+            let mut own = 0..self.paper.lines.len();
+            !self.wrong_at(goal).is_empty()
+                || own.any(|at| self.worth(at) == Worth::True && self.is_same(at, goal))
+        })
+    }
+
     /// The part of a line that is an attempt, and what it should be.
     pub(super) fn beside(&self, attempt: Attempt, line: usize) -> Option<(&Part, &Part)> {
-        let own = self.entry(line).parts.as_ref()?.get(attempt.part)?;
+        let own = self.entry(line).part(attempt.part)?;
         Some((own, self.goal(attempt.goal)?))
     }
 }

@@ -8,6 +8,7 @@ pub(crate) mod deny;
 pub(crate) mod either;
 pub(crate) mod extents;
 pub(crate) mod fewer;
+pub(crate) mod follows;
 pub(crate) mod given_lines;
 pub(crate) mod heard;
 pub(crate) mod hold;

@@ -115,3 +115,60 @@ fn a_key_whose_meaning_is_not_declared_is_held_against_what_is_written() {
         "On principal axes $$\\Sigma M_x = I_x\\dot\\omega_x + (I_y - I_z)\\omega_y\\omega_z$$";
     assert_eq!(marked_by(text, wrong).marks.to_string(), "0");
 }
+
+/// A body of which sentences tell all that is needed for its motion.
+const BODY: &str = r"
+polhode:
+- N is an inertial frame.
+- The body is a rigid body.
+- B is a frame fixed in the body.
+- 1, 2, 3 are the axes of B.
+- G is the mass centre of the body.
+- $I_1, I_2, I_3$ are the principal moments of the body about G on B.
+- $\vec\omega$ is the angular velocity of the body relative to N.
+- $\omega_1, \omega_2, \omega_3$ are the components of $\vec\omega$ on B.
+- No moment acts on the body about G.
+";
+const PENDULUM: &str = r"
+polhode:
+- N is an inertial frame.
+- $Y$ is the upward vertical.
+- B is a frame fixed in the pendulum.
+- $x, y, z$ are the axes of B.
+- B turns relative to N about $z$ by the angle $\theta$.
+- The pendulum is a rigid body of mass $m$.
+- O is a point fixed in N and in B.
+- G is the mass centre of the pendulum.
+- G lies at the distance $a$ from O along $-y$.
+- $I$ is the moment of inertia of the pendulum about the axis through O along $z$.
+- $g$ is the acceleration of gravity.
+- $\omega$ is the angular velocity of the pendulum relative to N along $z$.
+- The weight and the force at O are the only loads on the pendulum.
+";
+
+#[test]
+fn a_key_may_ask_for_what_its_sentences_tell() {
+    let cases = [
+        (
+            BODY,
+            r"$$I_1\dot\omega_1 = (I_2 - I_3)\omega_2\omega_3 \tag{1}$$",
+            r"$$\omega_1 = 0$$",
+        ),
+        (
+            PENDULUM,
+            r"$$I\ddot\theta = -mga\sin\theta \tag{1}$$",
+            r"$$\omega = \dot\theta$$",
+        ),
+        (
+            PENDULUM,
+            r"$$\omega = \dot\theta \tag{1}$$",
+            r"$$I\ddot\theta = -mga\sin\theta$$",
+        ),
+    ];
+    for (told, line, other) in cases {
+        let text = format!("---\nmarks: {{\"(1)\": 2}}{told}---\n{line}\n");
+        let line = line.replace("\\tag{1}", "");
+        assert_eq!(marked_by(&text, &line).marks.to_string(), "2", "{line}");
+        assert_eq!(marked_by(&text, other).marks.to_string(), "0", "{other}");
+    }
+}

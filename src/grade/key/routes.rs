@@ -5,13 +5,44 @@ use crate::grade::matching::{Board, Entry};
 /// More lines than this no route to a milestone has.
 const LONGEST_ROUTE: usize = 40;
 
-/// The lines before a line from which it follows without a law, as few and as late as can be; none where it does not.
-pub(super) fn route(board: &mut Board<'_>, line: usize) -> Vec<usize> {
+/// How a line of the key follows from earlier ones.
+#[derive(Clone, Debug, Default)]
+pub(in crate::grade) struct Route {
+    /// These lines; none where it does not follow from any.
+    pub(in crate::grade) lines: Vec<usize>,
+    /// Whether a law is needed besides: that the moment is the rate of the angular momentum.
+    pub(in crate::grade) by_law: bool,
+}
+
+/// The lines before a line from which it follows, without a law if it can be, as few and as late as can be.
+pub(super) fn route(board: &mut Board<'_>, line: usize) -> Route {
+    let without = lines_to(board, line, &Entry::of(vec![]));
+    if !without.is_empty() {
+        return Route {
+            lines: without,
+            by_law: false,
+        };
+    }
+    let laws = board.laws();
+    let lines = match laws.components().is_empty() {
+        true => vec![],
+        false => lines_to(board, line, &laws),
+    };
+    Route {
+        by_law: !lines.is_empty(),
+        lines,
+    }
+}
+
+/// The lines before a line from which it follows with these laws.
+fn lines_to(board: &mut Board<'_>, line: usize, laws: &Entry) -> Vec<usize> {
     let Some(goals) = board.key[line].parts.clone() else {
         return vec![];
     };
-    let entries = |board: &Board<'_>, lines: &[usize]| -> Vec<Entry> {
-        lines.iter().map(|&at| board.key[at].clone()).collect()
+    let follow = |board: &mut Board<'_>, lines: &[usize]| {
+        let lines = lines.iter().map(|&at| board.key[at].clone());
+        let from: Vec<Entry> = lines.chain([laws.clone()]).collect();
+        board.say_together(&from, &goals) == Some(true)
     };
     let mut chosen: Vec<usize> = vec![];
     let mut found = false;
@@ -23,8 +54,7 @@ pub(super) fn route(board: &mut Board<'_>, line: usize) -> Vec<usize> {
             continue;
         }
         chosen.insert(0, before);
-        let from = entries(board, &chosen);
-        found = board.say_together(&from, &goals) == Some(true);
+        found = follow(board, &chosen);
         if found {
             break;
         }
@@ -35,8 +65,7 @@ pub(super) fn route(board: &mut Board<'_>, line: usize) -> Vec<usize> {
     for at in (0..chosen.len()).rev() {
         let mut fewer = chosen.clone();
         fewer.remove(at);
-        let from = entries(board, &fewer);
-        if board.say_together(&from, &goals) == Some(true) {
+        if follow(board, &fewer) {
             chosen = fewer;
         }
     }

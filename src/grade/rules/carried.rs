@@ -18,15 +18,8 @@ impl Marker<'_> {
     pub(super) fn carried_into(&mut self, goal: Goal, before: usize) -> Carried {
         let mut wrong = vec![];
         let parts = self.carried_parts(goal.line, before, &mut wrong, 0);
-        let span = crate::source::Span::default();
         Carried {
-            entry: Entry {
-                span,
-                parts: Some(parts.into()),
-                defines: false,
-                by_unknown: false,
-                number: None,
-            },
+            entry: Entry::of(parts),
             wrong,
         }
     }
@@ -40,26 +33,12 @@ impl Marker<'_> {
     ) -> Vec<Part> {
         let mut parts = vec![];
         for step in self.route(line).to_vec() {
-            let own = self.board.key[step].parts.clone();
-            let own = own.as_deref().unwrap_or_default();
-            let mut replaced = vec![];
             let known = wrong.len();
-            for (at, part) in own.iter().enumerate() {
-                let put = self.wrong_part(
-                    Goal {
-                        line: step,
-                        part: at,
-                    },
-                    before,
-                );
-                replaced.push(match put {
-                    Some((line, other)) => {
-                        wrong.push(line);
-                        other
-                    }
-                    None => part.clone(),
-                });
-            }
+            let ends = self.wrong_ends(step, before, wrong);
+            let mut replaced = match ends.is_empty() {
+                true => self.with_wrong(step, 0, before, wrong),
+                false => ends,
+            };
             if wrong.len() == known && depth < 12 {
                 let deeper = self.carried_parts(step, before, wrong, depth + 1);
                 if wrong.len() > known {
@@ -68,7 +47,57 @@ impl Marker<'_> {
             }
             parts.extend(replaced);
         }
+        // What lines say tells letters first.
+        parts.extend(self.laws_to(line));
         parts
+    }
+
+    /// What the ends of a chain of the key say, if the student has one of that wrong.
+    fn wrong_ends(&mut self, step: usize, before: usize, wrong: &mut Vec<usize>) -> Vec<Part> {
+        let known = wrong.len();
+        let links = self.board.key[step].components().len();
+        let ends = self.with_wrong(step, links, before, wrong);
+        if wrong.len() > known { ends } else { vec![] }
+    }
+
+    /// The components of a line of the key or, from the number of these on, what its ends say, with wrong ones of the student
+    /// in place of those that they are meant to be.
+    fn with_wrong(
+        &mut self,
+        step: usize,
+        from: usize,
+        before: usize,
+        wrong: &mut Vec<usize>,
+    ) -> Vec<Part> {
+        let entry = self.board.key[step].clone();
+        let own = match from {
+            0 => entry.components(),
+            _ => &*entry.ends,
+        };
+        let mut parts = vec![];
+        for (at, part) in own.iter().enumerate() {
+            let goal = Goal {
+                line: step,
+                part: from + at,
+            };
+            parts.push(match self.wrong_part(goal, before) {
+                Some((line, other)) => {
+                    wrong.push(line);
+                    other
+                }
+                None => part.clone(),
+            });
+        }
+        parts
+    }
+
+    /// The laws that the key's way to one of its lines needs.
+    pub(super) fn laws_to(&self, line: usize) -> Vec<Part> {
+        let routes = &self.key.stages[self.stage].routes;
+        match routes.get(line) {
+            Some(route) if route.by_law => self.board.laws().components().to_vec(),
+            _ => vec![],
+        }
     }
 
     /// The last wrong part before a line that is meant to be a goal, unless a true line has taken its place since.
@@ -78,7 +107,7 @@ impl Marker<'_> {
             .into_iter()
             .rfind(|&line| line < before)?;
         let attempt = self.attempts[line].iter().find(|a| a.goal == goal)?;
-        let part = self.entry(line).parts.as_ref()?.get(attempt.part)?.clone();
+        let part = self.entry(line).part(attempt.part)?.clone();
         let mended =
             (line + 1..before).any(|at| self.worth(at) == Worth::True && self.is_same(at, goal));
         (!mended).then_some((line, part))
@@ -95,7 +124,7 @@ impl Marker<'_> {
         if carried.wrong.is_empty() {
             return Some(vec![]);
         }
-        let part = self.entry(line).parts.as_ref()?.get(attempt.part)?.clone();
+        let part = self.entry(line).part(attempt.part)?.clone();
         let follows = self.board.say_together(&[carried.entry], &[part])?;
         Some(if follows { carried.wrong } else { vec![] })
     }
@@ -166,11 +195,7 @@ impl Marker<'_> {
 
     /// Whether a term of the key's line is gone.
     pub(super) fn is_easier(&self, attempt: Attempt, line: usize) -> bool {
-        let own = self
-            .entry(line)
-            .parts
-            .as_ref()
-            .and_then(|parts| parts.get(attempt.part));
+        let own = self.entry(line).part(attempt.part);
         match (own, self.goal(attempt.goal)) {
             (Some(own), Some(key)) => own.terms().len() < key.terms().len(),
             _ => true,

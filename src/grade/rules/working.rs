@@ -76,7 +76,7 @@ impl Marker<'_> {
 
     pub(super) fn route(&self, line: usize) -> &[usize] {
         let routes = &self.key.stages[self.stage].routes;
-        routes.get(line).map_or(&[], Vec::as_slice)
+        routes.get(line).map_or(&[], |route| &route.lines)
     }
 
     /// Whether a line says a goal alone, and so is no working for it.
@@ -107,7 +107,8 @@ impl Marker<'_> {
                 }
             }
         }
-        let entries: Vec<Entry> = before.iter().map(|&at| self.entry(at).clone()).collect();
+        let mut entries: Vec<Entry> = before.iter().map(|&at| self.entry(at).clone()).collect();
+        entries.push(Entry::of(self.laws_to(goal.line)));
         let part = self.goal(goal).cloned();
         self.board.say_together(&entries, part.as_slice()) == Some(true)
     }

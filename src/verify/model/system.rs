@@ -189,9 +189,21 @@ pub(crate) struct System {
     pub(crate) work: FrameId,
     /// Where columns of two are, if sentences say so or tell the plane of a motion.
     pub(crate) axis_pair: Option<AxisPair>,
-    /// Whether each quantity keeps a variable of its own where a law gives its value in one term, or as it is seen from
-    /// another frame: then what a line says can be told from what the laws make of it.
-    pub(crate) apart: bool,
+    /// Which quantities keep a variable of their own.
+    pub(crate) apart: KeptApart,
+}
+
+/// Which quantities keep a variable of their own though a law gives their value: then what a line says can be told from what
+/// the laws make of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum KeptApart {
+    /// Those whose value has several terms.
+    #[default]
+    Sums,
+    /// Those whose value is no number and no single variable, and rates as they are seen from another frame.
+    Terms,
+    /// Those whose value is no number, and such rates.
+    Variables,
 }
 
 /// The names of components on numbered axes.

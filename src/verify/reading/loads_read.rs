@@ -33,6 +33,23 @@ pub(super) const FORCES: [&str; 9] = [
 /// The noun of a blow.
 const IMPULSE: &str = "impulse";
 
+/// Whether a sentence says what the loads on something come to, which a law alone ties to its motion.
+pub(crate) fn tells_loads(declaration: &Declaration) -> bool {
+    let of_loads = |head: &str| {
+        let of_a_kind = FORCES.contains(&head) || MOMENTS_OF_A_KIND.contains(&head);
+        of_a_kind || matches!(head, MOMENT | "load")
+    };
+    match &declaration.statement {
+        Statement::Premise(premise) => of_loads(premise.head),
+        Statement::Is { subjects, what } => {
+            let load =
+                |subject: &Term| matches!(subject, Term::Phrase(load) if of_loads(load.head));
+            what.head == "zero" && subjects.iter().any(load)
+        }
+        _ => false,
+    }
+}
+
 /// What a body is that does not move.
 pub(super) const AT_REST: &str = "at rest";
 

@@ -4,14 +4,16 @@
 //! quantity keeps a variable of its own and no law of mechanics is put in, so that one line follows from another only if
 //! it says the same, in components, in vectors, or with a definition put in.
 
-use crate::algebra::{Fraction, Monomial, Polynomial, Variable};
+use crate::algebra::{Fraction, Place, Polynomial, Variable};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::source::Span;
 use crate::verify::facts::Source;
-use crate::verify::facts::premises::{Extended, Facts};
+use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::Declaration;
-use crate::verify::model::atoms::{Nature, fraction};
+use crate::verify::model::atoms::{Motion, fraction};
+use crate::verify::model::system::KeptApart;
+use crate::verify::reading::loads_read::tells_loads;
 use crate::verify::standing::chains::Chain;
 use crate::verify::standing::hold::Sides;
 use crate::verify::standing::judge::Judge;
@@ -23,8 +25,8 @@ use crate::verify::term::letters::At;
 use num_traits::Zero;
 use std::collections::HashMap;
 
-/// No rate of a letter is higher.
-const MOST_RATES: usize = 8;
+/// Values of more terms are not looked at for what laws say.
+const MOST_OF_LAW: usize = 500;
 
 /// What one line says.
 #[derive(Clone, Debug)]
@@ -33,8 +35,19 @@ pub(crate) struct Said {
     pub(crate) span: Span,
     /// Its left and right sides, component by component; `None` where they are not worked out.
     pub(crate) sides: Option<Vec<(Fraction, Fraction)>>,
+    /// The first side and the last one of a chain, component by component; none where there are but two.
+    pub(crate) ends: Vec<(Fraction, Fraction)>,
     /// Whether it says what a letter is of which nothing was told.
     pub(crate) defines: bool,
+}
+
+/// What is declared and does not count here: what is looked for would be known by it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Withheld {
+    /// Sentences that hold something.
+    pub(crate) sentences: Vec<String>,
+    /// Whether it is withheld what a letter comes to by a law, where that is one variable.
+    pub(crate) values: bool,
 }
 
 /// What was worked out with a document, for others to go on from.
@@ -50,7 +63,7 @@ pub(crate) struct WorkedOut {
 /// Documents under one reading, in which laws say nothing.
 pub(crate) struct Apart<'a> {
     pub(super) judge: Judge<'a>,
-    facts: Facts,
+    pub(super) facts: Facts,
     /// What was taken in.
     settled: Vec<(Fraction, Source)>,
     /// The sides of links in other documents that go on from the same.
@@ -60,10 +73,27 @@ pub(crate) struct Apart<'a> {
 }
 
 impl<'a> Apart<'a> {
-    /// A reading by these declarations.
-    pub(crate) fn new(document: &'a Document, declarations: &[Declaration]) -> Self {
+    /// A reading by these declarations, of which some are not taken to hold: sentences that tell loads, which is a law, and
+    /// what is withheld.
+    pub(crate) fn new(
+        document: &'a Document,
+        declarations: &[Declaration],
+        withheld: &Withheld,
+    ) -> Self {
         let mut prepared = Prepared::new(declarations, written_symbols(document), 0);
-        prepared.reading.system.apart = true;
+        prepared.reading.system.apart = match withheld.values {
+            true => KeptApart::Variables,
+            false => KeptApart::Terms,
+        };
+        let laws = declarations.iter().filter(|said| tells_loads(said));
+        let named = withheld.sentences.iter().map(String::as_str);
+        let silent: Vec<&str> = laws.map(Declaration::sentence).chain(named).collect();
+        for premise in &mut prepared.reading.premises {
+            if matches!(&premise.source, Source::Declared(said) if silent.contains(&said.as_str()))
+            {
+                premise.equation = Fraction::zero();
+            }
+        }
         Self {
             judge: Judge::over(document, Part::default(), prepared),
             facts: Facts::default(),
@@ -118,7 +148,7 @@ impl<'a> Apart<'a> {
         self.judge.words.headings = Headings::default();
         self.judge.at = At::default();
         let written = written_symbols(document);
-        self.judge.reading.letters.written.extend(written);
+        self.judge.reading.letters.written.replace(written);
         self.judge.known.forget_symbols();
         let mut said = vec![];
         for item in &document.items {
@@ -146,8 +176,8 @@ impl<'a> Apart<'a> {
         let place = self.judge.document.place(line.span.start);
         (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
         let links = self.judge.chain.links(&without_number(line));
-        let (mut sides, mut defines) = (Some(vec![]), false);
-        for link in &links {
+        let (mut sides, mut defines, mut first) = (Some(vec![]), false, 0);
+        for (number, link) in links.iter().enumerate() {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
             let worked_out = equal.then(|| self.sides_of(link));
             match (worked_out, &mut sides) {
@@ -159,13 +189,18 @@ impl<'a> Apart<'a> {
                         defines = true;
                     }
                     all.extend(one.sides);
+                    if number == 0 {
+                        first = all.len();
+                    }
                 }
                 _ => sides = None,
             }
         }
+        let sides = sides.filter(|sides| !sides.is_empty());
         Said {
             span: line.span,
-            sides: sides.filter(|sides| !sides.is_empty()),
+            ends: sides.as_deref().map_or(vec![], |all| ends(all, first)),
+            sides,
             defines,
         }
     }
@@ -210,6 +245,44 @@ impl<'a> Apart<'a> {
         same
     }
 
+    /// What laws say of the quantities of this document alone: that two are the same which different laws give one value, as
+    /// the moment and the rate of the angular momentum; and what one is by others, as that rate by the angular momentum.
+    pub(crate) fn laws(&self) -> Vec<Fraction> {
+        let system = &self.judge.reading.system;
+        let mut known: HashMap<(Polynomial, Polynomial), Vec<(&str, Variable)>> = HashMap::new();
+        let mut laws = vec![];
+        for variable in 0..system.atoms.len() as Variable {
+            let atom = system.atoms.atom(variable);
+            let Some(law) = atom.law.as_ref().filter(|_| atom.rate_of.is_none()) else {
+                continue;
+            };
+            let told = |v| system.atoms.atom(v).law.is_some();
+            let value = system.expanded(&law.value, &[]);
+            if law.value.variables().into_iter().any(told) {
+                laws.push(fraction(variable) - law.value.clone());
+            }
+            if value.variables().is_empty() || value.numerator().len() > MOST_OF_LAW {
+                continue;
+            }
+            let same = (value.numerator().clone(), value.denominator().clone());
+            let same = known.entry(same).or_default();
+            let other = same.first().filter(|(name, _)| *name != law.name);
+            laws.extend(other.map(|(_, other)| fraction(variable) - fraction(*other)));
+            same.push((law.name, variable));
+        }
+        laws
+    }
+
+    /// Whether a value is made up of what never changes.
+    pub(crate) fn is_constant(&self, value: &Fraction) -> bool {
+        let atoms = &self.judge.reading.system.atoms;
+        let constant = |v| {
+            let atom = atoms.atom(v);
+            atom.place == Place::Parameter || matches!(atom.motion, Motion::Constant)
+        };
+        value.variables().into_iter().all(constant)
+    }
+
     /// A value with what is taken in put in; `None` where it grows too large.
     pub(crate) fn normal(&mut self, of: &Fraction) -> Option<Fraction> {
         let atoms = &mut self.judge.reading.system.atoms;
@@ -220,82 +293,16 @@ impl<'a> Apart<'a> {
     pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
         self.judge.reading.system.atoms.is_unknown(variable)
     }
+}
 
-    /// Whether it can be seen without working it out that these equations, without their rates, say nothing of a goal.
-    ///
-    /// An equation is solved for a variable that stands alone in a term, and the goal changes only if that is in it. One
-    /// equation makes the goal vanish only if it divides the goal; then no variable has a higher power in it than there.
-    /// This holds of free variables, none of which is told by another, and of equations without a number as a term: with
-    /// that, one may come to stand alone where another is put in.
-    pub(crate) fn are_beside(&self, from: &[&Fraction], goal: &Fraction) -> bool {
-        let atoms = &self.judge.reading.system.atoms;
-        let goal = goal.numerator();
-        let is_free = |v: &Variable| {
-            let atom = atoms.atom(*v);
-            let plain = matches!(atom.nature, Nature::Quantity | Nature::Unknown);
-            plain && atom.square.is_none() && self.facts.square(*v).is_none()
-        };
-        let rates = |v: &Variable| std::iter::successors(Some(*v), |&v| atoms.known_rate(v));
-        let is_tied = |v: &Variable| {
-            let mut rates = rates(v).skip(1).take(MOST_RATES);
-            rates.any(|rate| self.facts.rule(rate).is_some() || goal.degree_in(rate) > 0)
-        };
-        let equations = || from.iter().map(|equation| equation.numerator());
-        let variables: Vec<Variable> = equations().flat_map(Polynomial::variables).collect();
-        let stands_alone = |v: &Variable| {
-            let lone = |m: &Monomial| m.degree() == 1 && m.exponent(*v) == 1;
-            equations().any(|own| own.terms().iter().any(|(m, _)| lone(m)))
-        };
-        let has_number = || equations().any(|own| own.terms().iter().any(|(m, _)| m.degree() == 0));
-        let untouched = || {
-            let mut in_goal = variables.iter().filter(|v| goal.degree_in(**v) > 0);
-            !in_goal.any(stands_alone) && !has_number()
-        };
-        let divides = || match from {
-            [one] => variables
-                .iter()
-                .all(|&v| one.numerator().degree_in(v) <= goal.degree_in(v)),
-            _ => true,
-        };
-        (untouched() || !divides())
-            && !variables.iter().any(is_tied)
-            && variables.iter().chain(&goal.variables()).all(is_free)
-    }
-
-    /// Whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where
-    /// those contradict each other.
-    pub(crate) fn follow(
-        &mut self,
-        goals: &[Fraction],
-        from: &[Fraction],
-        rates: bool,
-    ) -> Option<bool> {
-        let atoms = &mut self.judge.reading.system.atoms;
-        let mut facts = self.facts.clone();
-        let source = Source::Line(None, 0);
-        let mut whole = true;
-        for equation in from {
-            // A product that vanishes does not say which of its factors does.
-            if !facts.normal(atoms, equation).is_ok_and(|e| is_plain(&e)) {
-                whole = false;
-                continue;
-            }
-            let put = match rates {
-                true => facts.extend(atoms, equation, &source),
-                false => facts.put(atoms, equation, &source),
-            };
-            match put {
-                Ok(Extended::Contradicts) => return None,
-                Ok(Extended::Unsolved) | Err(_) => whole = false,
-                Ok(_) => {}
-            }
-        }
-        let mut all = true;
-        for goal in goals {
-            all &= facts.normal(atoms, goal).ok()?.is_zero();
-        }
-        (all || whole).then_some(all)
-    }
+/// The first side of a chain and its last one, of which the first link has so many components.
+fn ends(sides: &[(Fraction, Fraction)], components: usize) -> Vec<(Fraction, Fraction)> {
+    let Some(last) = sides.len().checked_sub(components).filter(|&at| at > 0) else {
+        return vec![];
+    };
+    let ends = sides[..components].iter().zip(&sides[last..]);
+    ends.map(|((left, _), (_, right))| (left.clone(), right.clone()))
+        .collect()
 }
 
 fn equations(said: &Said) -> Vec<(Fraction, Source)> {
@@ -303,13 +310,4 @@ fn equations(said: &Said) -> Vec<(Fraction, Source)> {
     let differences = sides.map(|(left, right)| left.clone() - right.clone());
     let source = || Source::Line(None, 0);
     differences.map(|equation| (equation, source())).collect()
-}
-
-/// Whether an equation says what one variable is, whatever the others are; or nothing at all.
-fn is_plain(equation: &Fraction) -> bool {
-    let value = equation.numerator();
-    let plain = |v: &Variable| {
-        value.degree_in(*v) == 1 && value.coefficient_of(*v, 1).is_constant().is_some()
-    };
-    value.is_constant().is_some() || value.variables().iter().any(plain)
 }

@@ -3,7 +3,7 @@
 use crate::algebra::{Fraction, Place};
 use crate::mechanics;
 use crate::verify::model::atoms::{Law, fraction};
-use crate::verify::model::system::{FrameId, System, component_text};
+use crate::verify::model::system::{FrameId, KeptApart, System, component_text};
 use crate::verify::term::value::{Basis, GROWN, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
 
@@ -178,7 +178,7 @@ impl System {
             let carried = self.times(value, &turn, frame)?.negated();
             rate = self.plus(&rate, &carried, frame)?;
         }
-        if self.apart && rate.entries != on_work {
+        if self.apart != KeptApart::Sums && rate.entries != on_work {
             rate.entries = self.kept_apart(&rate);
         }
         Ok(rate)

@@ -7,7 +7,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::contact::Carried;
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::system::{
-    BodyId, FamilyId, FrameId, PointId, System, Vector, component_text,
+    BodyId, FamilyId, FrameId, KeptApart, PointId, System, Vector, component_text,
 };
 use crate::verify::term::value::{Basis, Trouble, Value, Valued};
 
@@ -218,7 +218,12 @@ impl System {
         if quantity.is_indexed() || matches!(quantity, Quantity::Known(_) | Quantity::Sum(_)) {
             return Ok(value);
         }
-        let highest = if self.apart { 1 } else { u32::MAX };
+        let is_told = !matches!(quantity.law(), "definition" | "attitude");
+        let highest = match self.apart {
+            KeptApart::Sums => u32::MAX,
+            KeptApart::Variables if is_told => 0,
+            KeptApart::Terms | KeptApart::Variables => 1,
+        };
         let simple = |e: &Fraction| {
             let mut terms = e.numerator().terms().iter();
             e.numerator().len() <= 1

@@ -63,11 +63,6 @@ impl WrittenSymbols {
         self.times.0.set(self.times.0.get() + 1);
     }
 
-    /// The symbols of another document stand beside these.
-    pub(crate) fn extend(&mut self, other: BTreeSet<String>) {
-        self.written.extend(other);
-    }
-
     /// The symbols of another document take the place of these.
     pub(crate) fn replace(&mut self, other: BTreeSet<String>) {
         self.written = other;
