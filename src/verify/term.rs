@@ -23,6 +23,7 @@ pub(crate) mod rates;
 pub(crate) mod spelled;
 pub(crate) mod symbols;
 pub(crate) mod unknown;
+mod unlabelled;
 pub(crate) mod value;
 pub(crate) mod variations;
 pub(crate) mod wholes;

@@ -26,6 +26,7 @@ mod planes;
 mod planes_and_rates;
 mod quaternions;
 mod reading;
+mod raised_frames;
 mod rods;
 mod rolling;
 mod round_surfaces;

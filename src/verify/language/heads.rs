@@ -100,6 +100,15 @@ pub(crate) const SCALAR_LAST: &str = "scalar last";
 /// A frame that is written as a label above.
 pub(crate) const FRAME_ABOVE: &str = "frame at the upper right";
 
+/// A frame that is written before a rate.
+pub(crate) const FRAME_BEFORE_RATE: &str = "frame at the upper left of a derivative";
+/// What such a frame means.
+pub(crate) const RATE_FROM_FRAME: &str = "the rate seen from that frame";
+/// Vectors below one another.
+pub(crate) const COLUMN_OF_VECTORS: &str = "column of vectors";
+/// What such a column may hold.
+pub(crate) const ROWS_OF_MATRIX: &str = "rows of a matrix";
+
 /// How customs of a frame before or behind a letter begin.
 pub(crate) const FRAME_AT_UPPER: &str = "frame at the upper";
 
@@ -240,6 +249,10 @@ mod tests {
             DOWNHILL,
             UPHILL,
             GRAVITY,
+            FRAME_BEFORE_RATE,
+            RATE_FROM_FRAME,
+            COLUMN_OF_VECTORS,
+            ROWS_OF_MATRIX,
             CONTACT_FORCE,
             NORMAL_FORCE,
             FRICTION,

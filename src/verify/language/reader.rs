@@ -367,9 +367,9 @@ pub(super) fn formula(source: &str, plain: bool, macros: &Macros) -> Option<Form
     Some(Formula { source, row })
 }
 
-/// The rows of a formula, spans counted from its first byte.
+/// The rows of a formula, spans counted from its first byte. One with a command and its argument is no plain text.
 pub(crate) fn rows(text: &str, plain: bool, macros: &Macros) -> Vec<Row> {
-    if !plain {
+    if !plain || text.contains('\\') && text.contains('{') {
         return read_formula(text, 0, macros);
     }
     let document = Document {

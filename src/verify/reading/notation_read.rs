@@ -2,9 +2,10 @@
 
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FULL_STOP, INSTANT, INVERSE_MAP, NOTHING,
-    PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
-    TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE,
+    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FRAME_BEFORE_RATE, FULL_STOP,
+    INSTANT, INVERSE_MAP, NOTHING, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT,
+    RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
+    UNDERBRACE,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -164,6 +165,9 @@ impl Builder<'_> {
             (Sign::Custom(UNDERBRACE), NotationMeaning::Fixed(NOTHING)) => {
                 letters.customs.naming_braces.push(reach.clone());
             }
+            (Sign::Custom(COLUMN_OF_VECTORS), NotationMeaning::Fixed(ROWS_OF_MATRIX)) => {
+                letters.customs.vectors_in_rows.push(reach.clone());
+            }
             // Which axes columns of two are on is read behind the signs.
             (Sign::Custom(COLUMNS_OF_TWO), _) => {}
             _ => return is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING),
@@ -208,6 +212,10 @@ impl Builder<'_> {
             Sign::Custom("frame at the upper left") => {
                 self.reading.letters.customs.raised_frames =
                     *meaning == NotationMeaning::Fixed("that frame");
+            }
+            Sign::Custom(FRAME_BEFORE_RATE) => {
+                self.reading.letters.customs.frames_above_rates =
+                    *meaning == NotationMeaning::Fixed(RATE_FROM_FRAME);
             }
             Sign::Custom(FRAME_ABOVE) => self.label_components(&reach),
             Sign::Custom(brackets) if hold_components(brackets, &effect) => {
@@ -354,6 +362,7 @@ fn mark_of(name: &str) -> Option<Mark> {
         "prime" => Some(Mark::Prime),
         "dot" => Some(Mark::Dot),
         "no" => Some(Mark::NoLabel),
+        "base" => Some(Mark::AxisWithoutLabel),
         _ => None,
     }
 }

@@ -12,6 +12,10 @@ pub(crate) struct Customs {
     pub(crate) summed: Vec<Reach>,
     /// A frame written above a letter takes components on it.
     pub(crate) raised_frames: bool,
+    /// A frame written above a dotted letter says from where its rate is seen.
+    pub(crate) frames_above_rates: bool,
+    /// Where vectors below one another are the rows of a matrix.
+    pub(crate) vectors_in_rows: Vec<Reach>,
     /// Whether products of inertia are integrals: I_xy = ∫ x y dm.
     pub(crate) integrals: bool,
     /// Square brackets around a vector make its cross-product matrix.
@@ -34,6 +38,11 @@ impl Customs {
     /// Whether a brace with a label says nothing at a place.
     pub(crate) fn braces_name_at(&self, at: &At) -> bool {
         self.naming_braces.iter().any(|reach| reach.covers(at, 0))
+    }
+
+    /// Whether vectors below one another are the rows of a matrix at a place.
+    pub(crate) fn vectors_are_rows_at(&self, at: &At) -> bool {
+        self.vectors_in_rows.iter().any(|reach| reach.covers(at, 0))
     }
 
     /// Whether an index that stands twice is summed over at a place.

@@ -182,6 +182,8 @@ pub(crate) enum Mark {
     Dot,
     /// A vector or tensor without a label.
     NoLabel,
+    /// The unit vector of an axis without a label.
+    AxisWithoutLabel,
     /// d/dt.
     Leibniz,
     /// ∂/∂t.

@@ -75,7 +75,9 @@ impl Lowering<'_> {
                 .collect();
             return Ok(Value::written(3, width, entries));
         }
-        if width == 1 && all.iter().all(|v| v.is_row()) {
+        let in_rows = self.letters.customs.vectors_are_rows_at(self.at);
+        let rows = |v: &&Value| v.is_row() || in_rows && v.is_vector();
+        if width == 1 && all.iter().all(rows) {
             let out = all.iter().map(|v| self.system.written_out(v, custom));
             let out = out.collect::<Result<Vec<_>, _>>()?;
             let entries = out.iter().flat_map(|v| v.entries.clone()).collect();

@@ -40,7 +40,12 @@ impl System {
             return self.times(a, &b, custom);
         }
         if a.columns != b.rows {
-            return ill_typed(format!("{} is multiplied by {}", a.shape(), b.shape()));
+            let unfit = format!("{} is multiplied by {}", a.shape(), b.shape());
+            // Vectors below one another may be the rows of a matrix.
+            return match a.is_matrix() && b.rows == 9 {
+                true => beyond(unfit),
+                false => ill_typed(unfit),
+            };
         }
         let (a, b) = self.fitted(a, b, custom)?;
         let mut entries = Vec::with_capacity(a.rows * b.columns);
@@ -271,7 +276,9 @@ impl System {
         }
         let unequal = format!("{} is set equal to {}", a.shape(), b.shape());
         // Columns of two are for motion in a plane, which the model need not know of.
-        match a.rows == 2 || b.rows == 2 {
+        // Vectors below one another may be the rows of a matrix.
+        let in_rows = a.entries.len() == 9 && b.entries.len() == 9;
+        match a.rows == 2 || b.rows == 2 || in_rows {
             true => beyond(unequal),
             false => ill_typed(unequal),
         }

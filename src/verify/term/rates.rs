@@ -1,11 +1,12 @@
 //! Derivatives in time and in other things.
 
 use crate::algebra::{Fraction, Place, Variable};
-use crate::notation::ast::{DerivativeStyle, FrameLabel, Node};
+use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
-use crate::verify::term::letters::{Effect, Mark};
+use crate::verify::term::letters::{Effect, Mark, spell};
 use crate::verify::term::lower::Lowering;
+use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
 /// Why a partial derivative is not worked out.
@@ -25,8 +26,42 @@ impl Lowering<'_> {
             let rate = self.time_derivative(&letter, order, style, frame)?;
             return self.at_blow(&rate, side);
         }
+        if let Some((letter, above)) = self.frame_above_rate(operand, frame)? {
+            return self.time_derivative(&letter, order, style, Some(&above));
+        }
         let value = self.value(operand)?;
         self.rate_of(&value, order, style, frame)
+    }
+
+    /// "A frame at the upper left of a dotted vector means the rate seen from that frame": the letter without it, and the
+    /// frame. A letter that a sentence tells with this label keeps it.
+    fn frame_above_rate(
+        &mut self,
+        operand: &Node,
+        frame: Option<&FrameLabel>,
+    ) -> Result<Option<(Node, FrameLabel)>, Trouble> {
+        let letters = self.letters;
+        let Kind::Symbol(symbol) = &operand.kind else {
+            return Ok(None);
+        };
+        // A second label may say what the components are on.
+        let ([label], None, true) = (
+            symbol.superscripts.as_slice(),
+            frame,
+            letters.customs.frames_above_rates,
+        ) else {
+            return Ok(None);
+        };
+        let mut bare = symbol.clone();
+        bare.superscripts.clear();
+        let name = plain(label);
+        let told = letters.find(&spell(symbol, true), &spell(symbol, false), self.at, 0);
+        let ruled = told.is_some() || self.effect_of(&name, false).is_some();
+        if ruled || letters.frame(&name).is_none() || self.known(&bare)?.is_none() {
+            return Ok(None);
+        }
+        let (text, span) = (label.clone(), operand.span);
+        Ok(Some((symbol_node(&bare), FrameLabel { text, span })))
     }
 
     /// The rate of a value, as seen from the frame that the writing says.

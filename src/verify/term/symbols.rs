@@ -6,6 +6,7 @@ use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, Letter, Mark, Meaning, spell};
 use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
 
 /// Why the rate of a vector is not read of a mark that speaks of no frame.
@@ -67,7 +68,8 @@ impl Lowering<'_> {
                     }
                     None => self.letter(&letter.latex, quantity),
                 };
-                Ok(self.without_label(value?, symbol))
+                let axis = matches!(quantity, Quantity::Axis(..));
+                Ok(self.without_label(value?, symbol, axis))
             }
             Meaning::Same(node) => self.deeper(|lowering| lowering.value(node)),
             Meaning::Change(of) => self.change_of_writing(of.as_deref()),
@@ -76,19 +78,6 @@ impl Lowering<'_> {
                 "`{}` stands without what it acts on",
                 letter.latex
             ))),
-        }
-    }
-
-    /// A vector or tensor without a label, where a sentence says what that means.
-    fn without_label(&mut self, value: Value, symbol: &Symbol) -> Value {
-        let labelled = !symbol.superscripts.is_empty() || symbol.style.tilde || symbol.style.hat;
-        let itself = !value.is_scalar() && value.basis.contains(&Basis::Itself);
-        if labelled || !itself {
-            return value;
-        }
-        match self.letters.mark(Mark::NoLabel, self.at) {
-            Some(Effect::ComponentsOn(frame)) => on(value, *frame),
-            _ => value,
         }
     }
 
