@@ -100,6 +100,7 @@ const OF_QUANTITIES: [(&str, &[&str]); 33] = [
             heads::ANGULAR_MOMENTUM,
             heads::KINETIC_ENERGY,
             heads::POTENTIAL_ENERGY,
+            heads::AERODYNAMIC_FORCE,
             "load",
             "impulse",
         ],

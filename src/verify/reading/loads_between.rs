@@ -2,19 +2,22 @@
 //! is their opposite.
 
 use crate::verify::language::heads::{FORCE, MOMENT, MOMENTS_OF_A_KIND};
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term, slot};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, Point, PointId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::load_quantities_read::with_slots_of_moment;
 use crate::verify::reading::named_loads_read::names_load;
-use crate::verify::term::letters::Meaning;
+use crate::verify::reading::names::node_of;
+use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
 /// A body that acts, and the one on which it does.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 struct Pair {
     agent: BodyId,
     on: BodyId,
@@ -43,16 +46,24 @@ impl Builder<'_> {
             (_, Some(at)) => Some(self.point(at)?),
             (_, None) => Some(self.joint_of(pair)),
         };
-        let called = |pair: Pair| pair.called(phrase.head);
-        if let Some(known) = self.loads_called(&called(pair)).pop() {
+        self.load_of_pair(phrase.head, pair, at)
+    }
+
+    fn load_of_pair(
+        &mut self,
+        head: &'static str,
+        pair: Pair,
+        at: Option<PointId>,
+    ) -> Option<Load> {
+        if let Some(known) = self.loads_called(&pair.called(head)).pop() {
             return (at == known.at).then_some(known);
         }
-        let load = match self.loads_called(&called(pair.turned())).pop() {
+        let load = match self.loads_called(&pair.turned().called(head)).pop() {
             Some(opposite) => opposite.opposite().filter(|load| load.at == at)?,
             None => {
-                let text = format!("{}_{{{}{}}}", phrase.head, pair.agent, pair.on);
+                let text = format!("{head}_{{{}{}}}", pair.agent, pair.on);
                 Load {
-                    called: called(pair),
+                    called: pair.called(head),
                     at,
                     value: self.free_load(&text, None)?,
                     lasting: Lasting::Always,
@@ -64,6 +75,53 @@ impl Builder<'_> {
         };
         self.system().loads.push(load.clone());
         Some(load)
+    }
+
+    /// "the force at P", where P is fixed in a body and in one other, and sentences speak of the force of one of them on the
+    /// other: this one.
+    pub(super) fn force_at_joint(&mut self, at: PointId, on: BodyId) -> Option<Load> {
+        let system = &self.reading.system;
+        let carries = |body: &BodyId| {
+            let frame = system.bodies[*body].frame;
+            frame.is_some_and(|frame| system.points[at].fixed_in.contains(&frame))
+        };
+        let others = (0..system.bodies.len()).filter(|body| *body != on);
+        let agents: Vec<BodyId> = others.filter(|body| carries(body)).collect();
+        let (true, [agent]) = (carries(&on), agents.as_slice()) else {
+            return None;
+        };
+        let pair = Pair { agent: *agent, on };
+        let spoken = |d: &Declaration| match &d.statement {
+            Statement::Is { what, .. } if what.head == FORCE => {
+                let told = self.acting_pair(what, None);
+                told.is_some_and(|told| told == pair || told == pair.turned())
+            }
+            _ => false,
+        };
+        if !self.declarations.iter().any(spoken) {
+            return None;
+        }
+        let between = self.load_of_pair(FORCE, pair, Some(at))?;
+        // Where another force acts there as well it is open which one is meant.
+        let loads = self.loads_on(on, at, Lasting::Always);
+        let same = |load: &Load| load.value == between.value || self.names_between(load, pair);
+        loads.iter().all(same).then_some(between)
+    }
+
+    /// Whether a load is told by the letter of the force of one of two bodies on the other.
+    fn names_between(&self, load: &Load, pair: Pair) -> bool {
+        let Called::Letter(letter) = &load.called else {
+            return false;
+        };
+        let own = |formula: &Formula| node_of(formula).map(spelled).as_ref() == Some(letter);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == FORCE => {
+                let told = self.acting_pair(what, None);
+                let told = told.is_some_and(|told| told == pair || told == pair.turned());
+                told && formulas(subjects).any(own)
+            }
+            _ => false,
+        })
     }
 
     /// The force or the moment of one body on another as a quantity.
@@ -147,11 +205,7 @@ impl Builder<'_> {
                 _ => return None,
             };
             // "The moments of the base and of link 2": one of each.
-            for agent in load.all(Slot::Of) {
-                let slots = load.slots.iter().filter(|(slot, _)| *slot != Slot::Of);
-                let mut slots: Vec<(Slot, Term)> = slots.cloned().collect();
-                slots.push((Slot::Of, agent.clone()));
-                let own = NounPhrase::new(MOMENT, slots);
+            for own in one_of_each(load, Slot::Of) {
                 let loads = self.named_load(&own, Some(body))?;
                 rest = loads.iter().fold(rest, |rest, load| rest - &load.value);
             }
@@ -243,4 +297,20 @@ impl Builder<'_> {
         // It is one point, whichever of the two acts.
         joint.unwrap_or(system.bodies[pair.agent.min(pair.on)].centre)
     }
+}
+
+/// "the moments of the base and of link 2", "the forces at P and at Q": one of each.
+pub(super) fn one_of_each(load: &NounPhrase, several: Slot) -> Vec<NounPhrase> {
+    let named = |term: &Term| matches!(term, Term::Name(_) | Term::Member { .. });
+    let lettered = load.slot(Slot::Which).is_some();
+    if lettered || load.all(several).count() < 2 || !load.all(several).all(named) {
+        return vec![load.clone()];
+    }
+    let others = load.slots.iter().filter(|(slot, _)| *slot != several);
+    let others: Vec<(Slot, Term)> = others.cloned().collect();
+    let each = load.all(several).map(|term| NounPhrase {
+        slots: [others.as_slice(), &[(several, term.clone())]].concat(),
+        ..load.clone()
+    });
+    each.collect()
 }

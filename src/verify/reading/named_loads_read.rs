@@ -63,7 +63,11 @@ impl Builder<'_> {
                 .map(|letter| self.load(letter, Lasting::Always))
                 .collect();
         }
-        let noun = noun_of(phrase, agent.as_deref());
+        let noun = match phrase.is("total") {
+            true if !self.lists_in_whole(phrase) => return None,
+            true => noun_of(&NounPhrase::new(phrase.head, vec![]), agent.as_deref()),
+            false => noun_of(phrase, agent.as_deref()),
+        };
         let called = Called::Noun(noun.clone(), body);
         if self.loads_called(&called).is_empty() {
             if phrase.head == FORCE || FORCES_OF_A_KIND.contains(&phrase.head) {
@@ -79,6 +83,21 @@ impl Builder<'_> {
             }
         }
         Some(self.loads_called(&called))
+    }
+
+    /// "the total aerodynamic force", where a sentence lists "the aerodynamic forces" among the only loads: all of them.
+    fn lists_in_whole(&self, phrase: &NounPhrase) -> bool {
+        let all = |term: &Term| match term {
+            Term::Phrase(load) => {
+                load.head == phrase.head && load.adjectives.is_empty() && load.slots.is_empty()
+            }
+            _ => false,
+        };
+        let lists = |d: &Declaration| match &d.statement {
+            Statement::Premise(premise) => premise.is("only") && premise.all(Slot::With).any(all),
+            _ => false,
+        };
+        phrase.adjectives == ["total"] && self.declarations.iter().any(lists)
     }
 
     pub(super) fn loads_called(&self, called: &Called) -> Vec<Load> {

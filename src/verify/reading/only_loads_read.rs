@@ -6,6 +6,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::loads_between::one_of_each;
 use crate::verify::reading::loads_read::{Acting, FORCES, lasting_of, letters_of};
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, spelled};
@@ -59,7 +60,12 @@ impl Builder<'_> {
                     let moment = self.moment_along(load, body, declaration)?;
                     listed.loads.push(moment);
                 }
-                Term::Phrase(load) => self.list_load(load, premise, &mut listed, declaration)?,
+                Term::Phrase(loads) => {
+                    let each = one_of_each(loads, Slot::Of).into_iter();
+                    for load in each.flat_map(|load| one_of_each(&load, Slot::At)) {
+                        self.list_load(&load, premise, &mut listed, declaration)?;
+                    }
+                }
                 _ => return None,
             }
         }
@@ -174,6 +180,13 @@ impl Builder<'_> {
         }
         if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
             return None;
+        }
+        if letters.is_empty()
+            && lasting == Lasting::Always
+            && let Some(between) = self.force_at_joint(at, listed.body)
+        {
+            listed.loads.push(between);
+            return Some(());
         }
         let letter = letters.first().map(|letter| (*letter).clone());
         // Another sentence may name the force at this point.
