@@ -8,7 +8,7 @@ use crate::verify::language::heads::{
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::bodies::Velocities;
-use crate::verify::model::system::{FrameId, PointId, Vector};
+use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::densities_read::is_per_unit;
 use crate::verify::reading::elements_read::DENSITY;
@@ -273,7 +273,10 @@ impl Builder<'_> {
             rotation,
         };
         match phrase.head {
-            ENERGY_OF_TRANSLATION => Some(without(energy(false), energy(true))),
+            ENERGY_OF_TRANSLATION => {
+                let with_centre = self.moves_with_centre(phrase, body);
+                with_centre.then(|| without(energy(false), energy(true)))
+            }
             // About a point that is fixed in the body and in space all energy is that of rotation; about another one than the
             // mass centre it is another.
             KINETIC_ENERGY | "kinetic energy of rotation" => match phrase.slot(Slot::About) {
@@ -292,6 +295,15 @@ impl Builder<'_> {
             "Lagrangian" => self.with_potential(body?, kinetic, -1),
             _ => None,
         }
+    }
+
+    /// "the kinetic energy of translation of the rod with C": a single body with its mass centre, and not with another point.
+    fn moves_with_centre(&self, phrase: &NounPhrase, body: Option<BodyId>) -> bool {
+        let Some(with) = phrase.slot(Slot::With) else {
+            return true;
+        };
+        let single = body.filter(|&body| self.reading.system.wholes(body) == [body]);
+        single.is_some_and(|body| self.point(with) == Some(self.centre_of(body)))
     }
 
     /// What a slot names: a letter, or a phrase.

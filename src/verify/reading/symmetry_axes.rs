@@ -58,8 +58,8 @@ impl Builder<'_> {
     /// Whether sentences say that a letter is a unit vector, and fixed in a body.
     pub(super) fn is_unit_vector_fixed_in(&self, letter: &Term, body: &Term) -> bool {
         let about = |what: &NounPhrase| {
-            let fixed = what.slot(Slot::FixedIn);
-            fixed.is_some_and(|of| of == body || self.frame_of_body(of) == self.frame_of_body(body))
+            let mut fixed = what.all(Slot::FixedIn);
+            fixed.any(|of| of == body || self.frame_of_body(of) == self.frame_of_body(body))
         };
         let said = self.declarations.iter().filter_map(|d| match &d.statement {
             Statement::Is { subjects, what } => {

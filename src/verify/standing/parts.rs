@@ -6,7 +6,7 @@ use crate::notation::document::{Document, Headings, Item, Row};
 use crate::verify::language::is_thing;
 use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term};
 use crate::verify::reading::incline_read::tells_lie;
-use crate::verify::reading::names::{EULER_ANGLES, reach_of};
+use crate::verify::reading::names::{EULER_ANGLES, UNIT_VECTOR, reach_of};
 use crate::verify::reading::order::{exact_key, mentioned_letters};
 use crate::verify::standing::chains::{Link, may_define};
 use crate::verify::term::letters::{At, Letters, Reach};
@@ -119,7 +119,12 @@ fn part(declarations: &[Declaration], limited: &[Reach], holds: Vec<bool>) -> Pa
                     }),
             );
         } else if !told_anew(declaration) {
-            own.push(declaration.clone());
+            let of_part = here.iter().any(|(d, _)| d.extent == declaration.extent);
+            let mut own_declaration = declaration.clone();
+            if of_part && tells_fixed_vector(declaration, declarations) {
+                own_declaration.extent = Extent::Document;
+            }
+            own.push(own_declaration);
         }
     }
     let letters = others
@@ -155,6 +160,22 @@ fn tells_anew(narrow: &Statement, wide: &Statement) -> bool {
         own.any(|(_, own)| *slot != Slot::RelativeTo || own == term)
     };
     verb == other && subjects == others && told.iter().all(again)
+}
+
+/// "On lines 3 to 9 k is a unit vector fixed in N": a vector of the system of this part, where no sentence tells the letter
+/// of another one.
+fn tells_fixed_vector(declaration: &Declaration, all: &[Declaration]) -> bool {
+    let Statement::Is { subjects, what } = &declaration.statement else {
+        return false;
+    };
+    let told_elsewhere = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects: own, .. } => {
+            d.extent != declaration.extent && own.iter().any(|letter| subjects.contains(letter))
+        }
+        _ => false,
+    };
+    let fixed = what.head == UNIT_VECTOR && what.slot(Slot::FixedIn).is_some();
+    fixed && !all.iter().any(told_elsewhere)
 }
 
 /// Whether a sentence builds the system for a part of the document alone.
