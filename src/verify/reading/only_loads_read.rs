@@ -1,7 +1,7 @@
 //! "The weight and the force at O are the only loads on the top": what the loads on a body come to.
 
 use crate::algebra::Fraction;
-use crate::verify::language::heads::MOMENT;
+use crate::verify::language::heads::{FORCE, MOMENT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
@@ -181,13 +181,6 @@ impl Builder<'_> {
         if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
             return None;
         }
-        if letters.is_empty()
-            && lasting == Lasting::Always
-            && let Some(between) = self.force_at_joint(at, listed.body)
-        {
-            listed.loads.push(between);
-            return Some(());
-        }
         let letter = letters.first().map(|letter| (*letter).clone());
         // Another sentence may name the force at this point.
         match (self.loads_on(listed.body, at, lasting).as_slice(), &letter) {
@@ -230,7 +223,16 @@ impl Builder<'_> {
             let weight = self.weight_on(body)?;
             return Some(vec![Load { lasting, ..weight }]);
         }
-        let letters = letters_of(load).into_iter();
+        let letters = letters_of(load);
+        let plain = letters.is_empty() && load.head == FORCE && load.slot(Slot::Of).is_none();
+        if let (true, Lasting::Always, Some(at), Some(body)) =
+            (plain, lasting, load.slot(Slot::At), self.body_of(premise))
+            && let Some(at) = self.point(at)
+            && let Some(between) = self.force_at_joint(at, body)
+        {
+            return Some(vec![between]);
+        }
+        let letters = letters.into_iter();
         let known: Option<Vec<Load>> = letters.map(|letter| self.load(letter, lasting)).collect();
         let known = known.filter(|known| !known.is_empty());
         let body = self.body_of(premise);
