@@ -22,6 +22,7 @@ mod both;
 mod capital_names;
 mod chains;
 mod clause;
+mod compound_names;
 mod constancy;
 mod corresponding;
 mod counted;

@@ -113,7 +113,7 @@ const SHORT: usize = 12;
 const RELATIONS: [&str; 6] = ["=", "≡", "≈", "≠", "≤", "≥"];
 const SIGNS: [&str; 3] = ["+", "−", "±"];
 
-/// A drawn formula, parted before its relations and signs.
+/// A drawn formula, parted before its relations and signs outside of brackets.
 fn pieces(drawn: &str) -> Vec<String> {
     let Ok(tree) = roxmltree::Document::parse(drawn) else {
         return vec![];
@@ -123,11 +123,17 @@ fn pieces(drawn: &str) -> Vec<String> {
     if parts.len() < SHORT {
         return pieces;
     }
-    let mut after_sign = true;
+    let (mut after_sign, mut depth) = (true, 0_usize);
     for part in parts {
         let text = part.text().filter(|_| part.has_tag_name("mo"));
+        match text {
+            Some("(" | "[") => depth += 1,
+            Some(")" | "]") => depth = depth.saturating_sub(1),
+            _ => {}
+        }
         let relates = text.is_some_and(|text| RELATIONS.contains(&text));
-        let parts = relates || text.is_some_and(|text| SIGNS.contains(&text)) && !after_sign;
+        let signed = text.is_some_and(|text| SIGNS.contains(&text)) && !after_sign;
+        let parts = depth == 0 && (relates || signed);
         let own = &drawn[part.range()];
         match (parts, pieces.last_mut()) {
             (false, Some(last)) => last.push_str(own),

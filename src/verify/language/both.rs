@@ -16,33 +16,27 @@ const ALL: [&[&str]; 5] = [
 
 /// The names of the bodies in the place of "both gimbals". None where no two words tell bodies of the kind apart, where one
 /// is called by the kind alone, and where a list of letters stands before it: in which order the bodies are is not said.
-pub(crate) fn tell_both(
-    tokens: &[Token],
-    bodies: &BTreeSet<String>,
-    alone: &BTreeSet<String>,
-) -> Option<Vec<Token>> {
+pub(crate) fn tell_both(tokens: &[Token], kinds: &Kinds) -> Option<Vec<Token>> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     (0..words.len()).find_map(|at| {
         let all = ALL.iter().find(|all| words[at..].starts_with(all))?;
         let end = at + all.len();
         let kind = singular(words.get(end)?)?;
-        let told = names_of(&kind, bodies);
+        let told = kinds.apart.get(&kind)?;
         let listed = tokens[..at]
             .windows(2)
             .any(|pair| is_letter(&pair[0]) && (is_letter(&pair[1]) || pair[1].lower == "and"));
-        let [one, other] = told.as_slice() else {
-            return None;
-        };
-        if alone.contains(&kind) || listed {
+        if told.len() != 2 || kinds.alone.contains(&kind) || listed {
             return None;
         }
+        let (one, other) = (told.first()?, told.last()?);
         let names = [
             "the",
-            *one,
+            one.as_str(),
             kind.as_str(),
             "and",
             "the",
-            *other,
+            other.as_str(),
             kind.as_str(),
         ];
         let names = names.map(|word| put_in(Kind::Word, word, &tokens[at]));
@@ -50,18 +44,29 @@ pub(crate) fn tell_both(
     })
 }
 
-/// The nouns that stand directly behind their article: bodies that are called by their kind alone.
-pub(crate) fn called_alone<'t>(sentences: impl Iterator<Item = &'t [Token]>) -> BTreeSet<String> {
-    let pairs = sentences.flat_map(|tokens| tokens.windows(2));
-    let alone = pairs.filter(|pair| pair[0].lower == "the");
-    alone.map(|pair| pair[1].lower.clone()).collect()
+/// How sentences call bodies of a kind.
+pub(crate) struct Kinds {
+    /// The words that tell bodies of a kind apart, by its noun.
+    apart: BTreeMap<String, BTreeSet<String>>,
+    /// The nouns that stand directly behind their article: bodies that are called by their kind alone.
+    alone: BTreeSet<String>,
 }
 
-/// The words that tell bodies of a kind apart.
-fn names_of<'b>(kind: &str, bodies: &'b BTreeSet<String>) -> Vec<&'b str> {
-    let parts = bodies.iter().filter_map(|name| name.split_once(' '));
-    let own = parts.filter(|(word, of)| *of == kind && APART.contains(word));
-    own.map(|(word, _)| word).collect()
+impl Kinds {
+    pub(crate) fn of<'t>(sentences: impl Iterator<Item = &'t [Token]>) -> Self {
+        let (mut apart, mut alone) = (BTreeMap::new(), BTreeSet::new());
+        for pair in sentences.flat_map(|tokens| tokens.windows(2)) {
+            let [word, noun] = [&pair[0].lower, &pair[1].lower];
+            if APART.contains(&word.as_str()) {
+                let words: &mut BTreeSet<String> = apart.entry(noun.clone()).or_default();
+                words.insert(word.clone());
+            }
+            if word == "the" {
+                alone.insert(noun.clone());
+            }
+        }
+        Self { apart, alone }
+    }
 }
 
 fn is_letter(token: &Token) -> bool {

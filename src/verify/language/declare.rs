@@ -3,9 +3,10 @@
 use super::absences::part_absences;
 use super::anaphora::{referring, with_it_inside, with_its};
 use super::bodies::introduced;
-use super::both::{called_alone, counting_letters, tell_both, tell_each};
+use super::both::{Kinds, counting_letters, tell_both, tell_each};
 use super::capital_names::keep_capitals;
 use super::clause::Said;
+use super::compound_names::Compounds;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::in_lists::{join_adjectives, tell_ends_of_lines, tell_listed_apart};
 use super::kept::{kept, may_be_limited, speak_of_subjects};
@@ -48,14 +49,7 @@ pub fn read_declarations(
     say_where(&mut parted, lexicon, macros);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let bodies = introduced(understood, lexicon);
-    let all = || parted.iter().flatten().map(Vec::as_slice);
-    let (counting, alone) = (counting_letters(all()), called_alone(all()));
-    for tokens in parted.iter_mut().flatten() {
-        let named = tell_both(tokens, &bodies, &alone).or_else(|| tell_each(tokens, &counting));
-        if let Some(named) = named {
-            *tokens = named;
-        }
-    }
+    name_by_kinds(&mut parted, lexicon);
     let (mut declarations, mut misread) = (vec![], vec![]);
     let mut before: Vec<&[Token]> = vec![];
     for ((line, sentence), tokens) in sentences.iter().zip(&parted) {
@@ -97,6 +91,22 @@ pub fn read_declarations(
     }
     part_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
+}
+
+/// Names bodies by what sentences together say of their kinds: "both gimbals", "each wheel", "the pendulum arm".
+fn name_by_kinds(sentences: &mut [Result<Vec<Token>, Misread>], lexicon: &Lexicon) {
+    let all = || sentences.iter().flatten().map(Vec::as_slice);
+    let (counting, kinds) = (counting_letters(all()), Kinds::of(all()));
+    let compounds = Compounds::of(all(), lexicon);
+    for tokens in sentences.iter_mut().flatten() {
+        if let Some(shorter) = compounds.shortened(tokens, lexicon) {
+            *tokens = shorter;
+        }
+        let named = tell_both(tokens, &kinds).or_else(|| tell_each(tokens, &counting));
+        if let Some(named) = named {
+            *tokens = named;
+        }
+    }
 }
 
 /// Reads one sentence. It makes several declarations where it speaks of several things or parts of the document.

@@ -242,11 +242,11 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             if matches!(piece, Piece::Phrase(_)) && !begins_phrase(tokens.first()?) {
                 return None;
             }
-            // The last letter takes all that is left.
-            let shortest = if rest.is_empty() && whole {
-                tokens.len().max(1)
-            } else {
-                1
+            // The last letter takes all that is left, which may be nothing where it stands for any words.
+            let least = usize::from(!matches!(piece, Piece::Any(_)));
+            let shortest = match rest.is_empty() && whole {
+                true => tokens.len().max(least),
+                false => 1,
             };
             let ends = |t: &Token| match piece {
                 Piece::Phrase(_) => COPULAS.contains(&t.lower.as_str()),

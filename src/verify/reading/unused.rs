@@ -4,10 +4,10 @@ use crate::notation::ast::{DerivativeStyle, Function, Kind, Node, Symbol};
 use crate::notation::document::Row;
 use crate::notation::print;
 use crate::verify::language::heads::{BOLD_LETTER, FRAME_AT_UPPER};
-use crate::verify::language::statement::{Formula, Sign};
+use crate::verify::language::statement::{Formula, Sign, Statement, Term};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::Reading;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{node_of, nodes_of};
 use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
 use std::collections::{BTreeMap, BTreeSet};
@@ -29,6 +29,8 @@ pub(crate) struct Unused {
     /// The letters that it says something of, where it says no more than what these are: without marks, and of a sentence that
     /// was not understood without labels.
     pub(crate) letters: Option<BTreeSet<String>>,
+    /// The letters that it is about, as they are printed.
+    pub(crate) about: BTreeSet<String>,
     /// The letters that are connected with what it names, in sets that sentences share.
     pub(crate) connected: Option<Vec<Arc<BTreeSet<String>>>>,
     pub(crate) touches: Touches,
@@ -105,6 +107,12 @@ impl Reading {
         all.any(|unused| unused.letters.is_some() && unused.may_tell_of(letters))
     }
 
+    /// Whether a sentence of which nothing was made is about a letter: what a line says of it may be something else.
+    pub(crate) fn is_about_unused(&self, letter: &str, at: &At) -> bool {
+        self.unused_at(at)
+            .any(|unused| unused.about.contains(letter))
+    }
+
     /// A sentence that was not understood, without which nothing can be said of formulas at a place.
     pub(crate) fn unread_of(&self, written: Written<'_>, at: &At) -> Option<&str> {
         let tells =
@@ -112,6 +120,25 @@ impl Reading {
         let found = self.unused_at(at).find(tells);
         found.map(|unused| unused.sentence.as_str())
     }
+}
+
+/// The letters in the subjects of a sentence, as they are printed.
+pub(super) fn letters_of_subjects(statement: &Statement) -> BTreeSet<String> {
+    fn collect(node: &Node, letters: &mut BTreeSet<String>) {
+        if matches!(node.kind, Kind::Symbol(_)) {
+            letters.insert(print::latex(node));
+        }
+        node.children().for_each(|child| collect(child, letters));
+    }
+    let mut letters = BTreeSet::new();
+    for subject in statement.subjects() {
+        if let Term::Formula(formula) = subject {
+            nodes_of(formula)
+                .iter()
+                .for_each(|node| collect(node, &mut letters));
+        }
+    }
+    letters
 }
 
 /// Whether formulas have one of some writings of which no sentence tells as a whole: what its letter and its labels mean apart

@@ -14,7 +14,7 @@ use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::parallels_read::are_moments;
-use crate::verify::reading::unused::{Touches, Unused, carries};
+use crate::verify::reading::unused::{Touches, Unused, carries, letters_of_subjects};
 use crate::verify::term::letters::{labelled_letter, letter_names, spelled};
 use std::collections::BTreeSet;
 
@@ -255,6 +255,7 @@ impl Builder<'_> {
                 wants: None,
                 reach,
                 letters,
+                about: letters_of_subjects(&declaration.statement),
                 connected: None,
                 touches: touched_by(&declaration.statement, self.declarations),
             });

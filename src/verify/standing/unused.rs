@@ -22,7 +22,11 @@ impl Judge<'_> {
             || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
         let sides: Vec<&Node> = line.sides.iter().collect();
         let unknown: Vec<String> = held.iter().flat_map(|h| h.unknown.clone()).collect();
-        told && purpose.role == Role::Define || self.unread_of(&sides, &unknown).is_some()
+        let settled = held.iter().filter(|h| h.standing == Standing::Settles);
+        let mut settled = settled.filter_map(|h| h.settles.as_ref());
+        settled.any(|(letter, ..)| self.reading.is_about_unused(letter, &self.at))
+            || told && purpose.role == Role::Define
+            || self.unread_of(&sides, &unknown).is_some()
     }
 
     /// A sentence of which nothing was made, and which may tell something of the letters of formulas.

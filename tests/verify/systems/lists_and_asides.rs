@@ -146,7 +146,7 @@ $$ L=J(p-q) $$
 fn each_of_three_wheels_has_the_same_inertia() {
     let sentences = r"N is an inertial frame.
 B is a frame fixed in the hub, with axes $b_1$, $b_2$, $b_3$.
-The satellite consists of the hub and three identical wheels.
+The satellite consists of the hub and three wheels.
 $i$ numbers the wheels.
 G is the mass centre of the satellite.
 Wheel $i$ turns relative to the hub about $b_i$ at the rate $w_i$, is symmetric about that axis, and has its mass centre fixed in the hub.
@@ -177,4 +177,69 @@ $$ v=u+\dot q\,n $$
 $$ v=u-\dot q\,n $$
 ";
     assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_noun_before_a_noun_is_no_other_body() {
+    let sentences = r"N is an inertial frame.
+The system consists of the pendulum arm and the wheel.
+$n$ is a unit vector fixed in N, in the arm and in the wheel.
+The arm turns relative to N about $n$ at the rate $p$.
+The wheel turns relative to the arm about $n$ at the rate $q$.
+$u$ is the angular velocity of the wheel relative to N.
+";
+    let text = r"
+$$ u=(p+q)n $$
+$$ u=(p-q)n $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn the_gravity_vector_is_the_acceleration_of_gravity() {
+    let sentences = r"N is an inertial frame.
+P is a particle of mass $m$.
+$v$ is the velocity of P relative to N in components on N.
+$g$ is the gravity vector in components on N.
+The weight is the only load on P.
+A dot means the rate entry by entry.
+";
+    let text = r"
+$$ \dot v=g $$
+$$ \dot v=-g $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn no_line_settles_a_letter_of_which_a_sentence_tells_that_is_not_used() {
+    let sentences = r"N is an inertial frame.
+$k$ is a unit vector fixed in N.
+B is a rigid body of mass $m$.
+$v$ is the velocity of the mass centre of B relative to N.
+$S k$ is the force of the string on B.
+";
+    let text = r"
+$$ S=2mv\cdot k $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn what_a_part_does_to_another_denies_nothing_where_no_list_of_loads_is_told() {
+    let sentences = r"N is an inertial frame.
+The machine consists of the rod and the wheel.
+O is a point fixed in N and in the rod.
+$n$ is a unit vector fixed in N, in the rod and in the wheel.
+The rod turns relative to N about $n$ by the angle $p$.
+The wheel turns relative to the rod about $n$ by the angle $q$.
+S is the mass centre of the wheel.
+S is fixed in the rod.
+$J$ is the moment of inertia of the wheel about the axis through S along $n$.
+$u$ is the moment of the rod on the wheel along $n$.
+";
+    let text = r"
+$$ J(\ddot p+\ddot q)=u $$
+";
+    assert_eq!(judged(sentences, text), "u");
 }
