@@ -269,6 +269,15 @@ fn listed(tokens: &[Token], mut at: usize, lexicon: &Lexicon, names: &mut Vec<St
     }
 }
 
+/// "the mass of the whole mallet" is that of the mallet.
+fn is_stressed(tokens: &[Token]) -> bool {
+    let noun = |t: &Token| t.kind == Kind::Word && !is_glue(&t.lower);
+    match tokens {
+        [word, next, ..] => ENTIRE.contains(&word.lower.as_str()) && noun(next),
+        _ => false,
+    }
+}
+
 /// The name of a body that stands here with its article, or with an index behind it, and where it ends.
 fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize)> {
     let article = ARTICLES.contains(&tokens.get(at)?.lower.as_str());
@@ -288,11 +297,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
         if !plain || is_glue(word) || ARTICLES.contains(&word) || !may_name(word) {
             break;
         }
-        // "the mass of the whole mallet" is that of the mallet
-        let more = tokens
-            .get(end + 1)
-            .filter(|t| t.kind == Kind::Word && !is_glue(&t.lower));
-        if end == start && ENTIRE.contains(&word) && more.is_some() {
+        if end == start && is_stressed(&tokens[end..]) {
             break;
         }
         if end == start && tells_apart(&tokens[end..], lexicon) {

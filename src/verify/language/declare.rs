@@ -58,11 +58,8 @@ pub fn read_declarations(
         let said = match tokens {
             Ok(tokens) => {
                 let said = reader(tokens).or_else(|error| {
-                    let last = before.last();
-                    let there = last.and_then(|before| on_same_lines(tokens, before));
-                    let meant = referring(&axes(tokens), &before, lexicon);
-                    let others = there.into_iter().chain(meant);
-                    let read = others.into_iter().find_map(|other| reader(&other).ok());
+                    let others = reminding(tokens, &before, lexicon);
+                    let read = others.iter().find_map(|other| reader(other).ok());
                     read.ok_or(error)
                 });
                 before.push(tokens);
@@ -91,6 +88,14 @@ pub fn read_declarations(
     }
     part_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
+}
+
+/// The sentence with what others said before in the place of the words that remind of it, each reading on its own.
+fn reminding(tokens: &[Token], before: &[&[Token]], lexicon: &Lexicon) -> Vec<Vec<Token>> {
+    let last = before.last();
+    let there = last.and_then(|before| on_same_lines(tokens, before));
+    let meant = referring(&axes(tokens), before, lexicon);
+    there.into_iter().chain(meant).collect()
 }
 
 /// Names bodies by what sentences together say of their kinds: "both gimbals", "each wheel", "the pendulum arm".

@@ -50,6 +50,8 @@ pub(crate) const DOWNHILL: &str = "downhill direction";
 pub(crate) const GRAVITY: &str = "acceleration of gravity";
 /// The adverb of what turns from one direction to another.
 pub(crate) const TOWARDS: &str = "towards";
+/// Where something lies seen from something between.
+pub(crate) const OPPOSITE_TO: &str = "opposite to";
 /// The opposite direction.
 pub(crate) const UPHILL: &str = "uphill direction";
 /// What a plane does to a body that touches it.

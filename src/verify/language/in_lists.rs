@@ -49,19 +49,23 @@ fn is_short(token: &Token) -> bool {
 
 /// "a thin, massless, straight rod" without the commas.
 pub(crate) fn join_adjectives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
-    let adjective = |t: &Token| {
-        lexicon
-            .find(&[t.lower.as_str()], &[Class::Adjective])
-            .is_some()
+    let is = |at: usize, classes: &[Class]| {
+        let word = tokens.get(at).map(|t| t.lower.as_str());
+        word.is_some_and(|word| lexicon.find(&[word], classes).is_some())
+    };
+    let named = [Class::Adjective, Class::Thing, Class::Noun, Class::Place];
+    let goes_on = |at: usize| {
+        let comma = tokens.get(at).is_some_and(|t| t.kind == Kind::Comma);
+        comma || is(at, &named)
     };
     let between = |at: usize| {
-        let neighbours =
-            [at.checked_sub(1), Some(at + 1)].map(|at| at.and_then(|at| tokens.get(at)));
-        neighbours.iter().all(|t| t.is_some_and(adjective))
+        let before = at
+            .checked_sub(1)
+            .is_some_and(|at| is(at, &[Class::Adjective]));
+        before && is(at + 1, &[Class::Adjective]) && goes_on(at + 2)
     };
-    let kept = tokens.iter().enumerate();
-    let kept = kept.filter(|(at, t)| t.kind != Kind::Comma || !between(*at));
-    kept.map(|(_, t)| t.clone()).collect()
+    let kept = (0..tokens.len()).filter(|&at| tokens[at].kind != Kind::Comma || !between(at));
+    kept.map(|at| tokens[at].clone()).collect()
 }
 
 /// "the line AB" as "the line from A to B".

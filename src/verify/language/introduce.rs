@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
     let mut told: BTreeSet<String> = declarations.iter().flat_map(told_in).collect();
     let shown = frames_shown(declarations);
+    let fixed: BTreeSet<String> = declarations.iter().filter_map(fixed_thing).collect();
     let mut added = vec![];
     for declaration in declarations.iter() {
         let mentioned = declaration.statement.terms().into_iter().filter_map(name);
@@ -18,7 +19,10 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
             .into_iter()
             .chain(frames)
             .map(|name| (name, "frame"));
+        let from = places_from(&declaration.statement).into_iter();
+        let from = from.filter(|name| fixed.contains(name));
         let points = moving_points(&declaration.statement).into_iter();
+        let points = points.chain(from);
         let kinds = kinds.chain(points.map(|name| (name, "point")));
         if let Some((point, what)) = point_of_axis(&declaration.statement)
             && name(point).is_some_and(|name| may_be_introduced(&name) && told.insert(name))
@@ -110,6 +114,26 @@ fn point_of_axis(statement: &Statement) -> Option<(&Term, NounPhrase)> {
     Some((axis.slot(Slot::Through)?, point))
 }
 
+/// "O is fixed in N": its name.
+fn fixed_thing(declaration: &Declaration) -> Option<String> {
+    match &declaration.statement {
+        Statement::Is { subjects, what } if what.head == "fixed" && subjects.len() == 1 => {
+            name(subjects.first()?)
+        }
+        _ => None,
+    }
+}
+
+/// From where a sentence says that something is placed.
+fn places_from(statement: &Statement) -> Vec<String> {
+    match statement {
+        Statement::Is { what, .. } if what.head == POSITION => {
+            what.all(Slot::RelativeTo).filter_map(name).collect()
+        }
+        _ => vec![],
+    }
+}
+
 /// The points of whose motion a sentence speaks.
 fn moving_points(statement: &Statement) -> Vec<String> {
     match statement {
@@ -121,12 +145,7 @@ fn moving_points(statement: &Statement) -> Vec<String> {
                 .filter_map(name)
                 .collect()
         }
-        Statement::Is { what, .. } if what.head == POSITION => {
-            let ends = [Slot::Of, Slot::RelativeTo].into_iter();
-            let ends = ends.flat_map(|slot| what.all(slot));
-            ends.filter_map(name).collect()
-        }
-        Statement::Is { what, .. } if [VELOCITY, ACCELERATION].contains(&what.head) => {
+        Statement::Is { what, .. } if [POSITION, VELOCITY, ACCELERATION].contains(&what.head) => {
             what.all(Slot::Of).filter_map(name).collect()
         }
         // "G is placed from Q by `$r$`"

@@ -205,12 +205,17 @@ impl Builder<'_> {
                 _ => return None,
             };
             // "The moments of the base and of link 2": one of each.
-            for own in one_of_each(load, Slot::Of) {
+            for agent in load.all(Slot::Of) {
+                let slots = load.slots.iter().filter(|(slot, _)| *slot != Slot::Of);
+                let mut slots: Vec<(Slot, Term)> = slots.cloned().collect();
+                slots.push((Slot::Of, agent.clone()));
+                let own = NounPhrase::new(MOMENT, slots);
                 let loads = self.named_load(&own, Some(body))?;
                 rest = loads.iter().fold(rest, |rest, load| rest - &load.value);
             }
         }
         self.hold(rest.dot(&along), declaration);
+        self.mark_listed(premise);
         Some(())
     }
 

@@ -3,8 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, NOTHING, PLAIN_ADVERBS, TOWARDS, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING,
-    WEIGHT,
+    DOWNHILL, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, TOWARDS, UNDERBRACE, UPHILL, VERTICAL,
+    WAY_OF_SETTING, WEIGHT,
 };
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -87,11 +87,15 @@ fn is_misheard(statement: &Statement) -> bool {
 
 /// Whether something is done in a way that makes another thing of it.
 fn is_done_otherwise(verb: &str, slots: &[(Slot, Term)]) -> bool {
+    // "P lies along x, and Q opposite to it": which side Q is on is not said of P.
+    let opposite =
+        matches!(verb, "lie" | "place") && slots.iter().any(|(_, how)| how.is_noun(OPPOSITE_TO));
     let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
     // About a negative axis a thing turns the other way.
     let about = |(slot, _): &&(Slot, Term)| verb == "turn" && *slot == Slot::About;
     let mut others = slots.iter().filter(|slot| !about(slot));
-    MOTIONS.contains(&verb) && slots.iter().any(strange)
+    opposite
+        || MOTIONS.contains(&verb) && slots.iter().any(strange)
         || others.any(|(_, term)| is_reversed(term))
 }
 

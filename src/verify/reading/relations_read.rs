@@ -158,6 +158,8 @@ impl Builder<'_> {
             return Some(());
         }
         let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
+        // Of an entry that is told in another way nobody knows which one it is.
+        let in_order = what.slot(Slot::Which).is_none();
         for (place, formula) in formulas(subjects).enumerate() {
             if self.read_all_entries(formula, &of, on, declaration) {
                 continue;
@@ -166,7 +168,7 @@ impl Builder<'_> {
             let told = numbered.get(place).copied();
             let [row, column] = told
                 .or_else(|| labelled_entry(formula))
-                .or(ENTRIES.get(place).copied())?;
+                .or(ENTRIES.get(place).copied().filter(|_| in_order))?;
             if let Quantity::Known(value) = &of
                 && (value.rows, value.columns) != (3, 3)
             {

@@ -243,3 +243,33 @@ $$ J(\ddot p+\ddot q)=u $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn an_entry_by_names_of_axes_is_not_the_first_one() {
+    let sentences = r"B is a frame fixed in the body.
+x, y, z are the axes of B.
+G is the mass centre of the body.
+$J$ is the inertia tensor of the body about G in components on B.
+$p$ is the moment of inertia of the body about the axis through G along x.
+$q$ is the entry (y, y) of $J$.
+";
+    let text = r"
+$$ q=p $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn adjectives_stand_in_a_list_before_their_noun() {
+    let sentences = r"N is an inertial frame.
+The rod is a thin, uniform, rigid rod of mass $m$ and length $l$ along the first axis of B.
+B is a frame fixed in the rod.
+G is the mass centre of the rod.
+$J$ is the moment of inertia of the rod about the axis through G along the third axis of B.
+";
+    let text = r"
+$$ J=\tfrac1{12}ml^2 $$
+$$ J=\tfrac1{3}ml^2 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}

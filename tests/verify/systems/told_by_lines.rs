@@ -199,7 +199,7 @@ $$ a=b $$
 $$ \vec\Omega=\Omega K $$
 $$ \vec\Omega=-\Omega K $$
 ";
-    assert_eq!(judged(sentences, text), "apu");
+    assert_eq!(judged(sentences, text), "apr");
 }
 
 #[test]
