@@ -8,18 +8,18 @@ fn a_frame_above_a_dotted_vector_says_from_where_its_rate_is_seen() {
 e is an inertial frame.
 b is a frame fixed in the body.
 C is the mass centre of the body.
-`\mat{p}_{b/e}` is the momentum of the body relative to e.
+`\vec{p}_{b/e}` is the momentum of the body relative to e.
 `\vec{\omega}_{b/e}` is the angular velocity of b relative to e.
 `m` is the mass of the body.
 `\vec{v}_{C/e}` is the velocity of C relative to e.
 A frame at the upper left of a dotted vector means the rate seen from that frame.
 ";
     let text = r"
-$$ {}^e\dot{\mat{p}}_{b/e}={}^b\dot{\mat{p}}_{b/e}+\vec{\omega}_{b/e}\times\mat{p}_{b/e} $$
-$$ {^e \dot{\mat{p}_{b/e}}}={^b \dot{\mat{p}_{b/e}}}-\vec{\omega}_{b/e}\times\mat{p}_{b/e} $$
-$$ {}^e\dot{\mat{p}}_{b/e}=m\,{}^e\dot{\vec{v}}_{C/e} $$
-$$ {}^b\dot{\mat{p}}_{b/e}=m\,{}^e\dot{\vec{v}}_{C/e} $$
-$$ {}^b\dot{\mat{p}}_{b/e}=m\,{}^b\dot{\vec{v}}_{C/e} $$
+$$ {}^e\dot{\vec{p}}_{b/e}={}^b\dot{\vec{p}}_{b/e}+\vec{\omega}_{b/e}\times\vec{p}_{b/e} $$
+$$ {^e \dot{\vec{p}_{b/e}}}={^b \dot{\vec{p}_{b/e}}}-\vec{\omega}_{b/e}\times\vec{p}_{b/e} $$
+$$ {}^e\dot{\vec{p}}_{b/e}=m\,{}^e\dot{\vec{v}}_{C/e} $$
+$$ {}^b\dot{\vec{p}}_{b/e}=m\,{}^e\dot{\vec{v}}_{C/e} $$
+$$ {}^b\dot{\vec{p}}_{b/e}=m\,{}^b\dot{\vec{v}}_{C/e} $$
 ";
     assert_eq!(judged(sentences, text), "prprp");
 }
