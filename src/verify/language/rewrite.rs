@@ -113,7 +113,10 @@ pub(crate) fn plainly(tokens: &[Token]) -> Vec<Token> {
     tokens
 }
 
-/// What the letters of a pattern stand for.
+/// Stands for a word that a pattern has among others.
+const CHOSEN: char = '|';
+
+/// What the letters of a pattern stand for, and which of several words stood there, the last ones first.
 type Bound<'t> = Vec<(char, &'t [Token])>;
 
 impl Rule {
@@ -169,7 +172,13 @@ impl Rule {
                 }
                 Piece::Words(words) | Piece::Maybe(words) => {
                     let place = new.last().unwrap_or(near);
-                    new.extend(words.first().map(|word| put_in(Kind::Word, word, place)));
+                    let stood = bound.iter().rev().find_map(|bound| match bound {
+                        (CHOSEN, [word]) if is_one_of(word, words) => Some(word.clone()),
+                        _ => None,
+                    });
+                    let word =
+                        || put_in(Kind::Word, words.first().map_or("", String::as_str), place);
+                    new.push(stood.unwrap_or_else(word));
                 }
                 Piece::Sign(kind) => {
                     let place = new.last().unwrap_or(near);
@@ -217,18 +226,18 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
         Some((used + length, bound))
     };
     let one_of = |words: &[String]| {
-        let token = tokens.first()?;
-        // The lower case of a formula is empty, but for that of a sign.
-        let spoken = match token.kind {
-            Kind::Word | Kind::Formula => &token.lower,
-            Kind::Number => &token.text,
-            _ => return None,
-        };
-        words.contains(spoken).then_some(())
+        let (used, mut bound) = tokens
+            .first()
+            .filter(|t| is_one_of(t, words))
+            .and_then(|_| behind(1))?;
+        if words.len() > 1 {
+            bound.push((CHOSEN, &tokens[..1]));
+        }
+        Some((used, bound))
     };
     match piece {
-        Piece::Words(words) => one_of(words).and_then(|()| behind(1)),
-        Piece::Maybe(words) => one_of(words).and_then(|()| behind(1)).or_else(|| behind(0)),
+        Piece::Words(words) => one_of(words),
+        Piece::Maybe(words) => one_of(words).or_else(|| behind(0)),
         Piece::Sign(kind) => (tokens.first()?.kind == *kind)
             .then_some(())
             .and_then(|()| behind(1)),
@@ -265,6 +274,16 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             bound.push((*c, &tokens[..length]));
             Some((used, bound))
         }),
+    }
+}
+
+/// Whether a word, a number or a sign that may be spoken of is one of some words.
+fn is_one_of(token: &Token, words: &[String]) -> bool {
+    match token.kind {
+        // The lower case of a formula is empty, but for that of a sign.
+        Kind::Word | Kind::Formula => words.contains(&token.lower),
+        Kind::Number => words.contains(&token.text),
+        _ => false,
     }
 }
 
@@ -322,6 +341,16 @@ mod tests {
         };
         let words: Vec<String> = tokens.iter().map(written).collect();
         words.join(" ")
+    }
+
+    #[test]
+    fn of_several_words_the_one_that_stood_there_is_written() {
+        let said = |sentence: &str| text(&plainly(&tokens(sentence, 1).expect("a sentence")));
+        assert_eq!(
+            said("P is a point that lies on z"),
+            "P is a point ; P lies on z"
+        );
+        assert_eq!(said("The bar joins A to B"), "The bar extends from A to B");
     }
 
     #[test]

@@ -170,7 +170,7 @@ $$ R\,{}^{\mathcal G}\boldsymbol\omega={}^{\mathcal B}\boldsymbol\omega $$
 #[test]
 fn a_place_of_two_bodies_and_a_fluid_between_them() {
     let sentences = r"
-The satellite comprises a rigid carrier, in which there is a spherical cavity, and a rigid homogeneous ball that fills this cavity.
+The satellite comprises a rigid carrier and a rigid homogeneous ball.
 N is a Newtonian reference frame.
 C is a frame attached to the carrier.
 S is the mass centre of the satellite and, at the same time, the centre of the ball.
