@@ -4,30 +4,15 @@
 //! line with it would be refuted.
 
 use crate::grade::key::sheet;
-use crate::notation::ast::{Kind, Node, Style};
+use crate::notation::ast::{Kind, Node, Style, Symbol};
 use crate::notation::document::{Document, Item, Row};
-use crate::verify::language::statement::{Extent, Statement};
+use crate::source::Span;
+use crate::verify::language::statement::{Declaration, Extent, Formula, Statement, Term};
+use crate::verify::language::{Lexicon, sentence};
 use crate::verify::{self, Declared, Report};
 
-/// The marks of a vector, and the styles that they make.
-const MARKS: [(&str, Style); 3] = [
-    ("\\vec", marked(true, false)),
-    ("\\hat", marked(false, true)),
-    ("\\hat\\vec", marked(true, true)),
-];
-
-const fn marked(vector: bool, hat: bool) -> Style {
-    Style {
-        vector,
-        hat,
-        bar: false,
-        tensor: false,
-        calligraphic: false,
-        tilde: false,
-        upright: false,
-        other: false,
-    }
-}
+/// The marks of a vector: an arrow or bold type, a hat, and both.
+const MARKS: [(bool, bool); 3] = [(true, false), (false, true), (true, true)];
 
 /// Sentences that say of marked letters that they are the axes of their names, if the key holds with them as without.
 pub(super) fn named_axes(document: &Document, declared: &Declared, report: &Report) -> Vec<String> {
@@ -37,7 +22,7 @@ pub(super) fn named_axes(document: &Document, declared: &Declared, report: &Repo
         axes && said.extent == Extent::Document
     });
     let sentences: Vec<String> = told
-        .flat_map(|said| marked_axes(document, declared, said.sentence()))
+        .flat_map(|said| marked_axes(document, declared, said))
         .collect();
     if sentences.is_empty() {
         return sentences;
@@ -49,41 +34,75 @@ pub(super) fn named_axes(document: &Document, declared: &Declared, report: &Repo
 }
 
 /// "i, j, k are the axes of A" of the marked letters that stand in a document and in no sentence.
-fn marked_axes(document: &Document, declared: &Declared, sentence: &str) -> Vec<String> {
-    let Some((names, of)) = sentence.split_once(" are the axes") else {
+fn marked_axes(document: &Document, declared: &Declared, said: &Declaration) -> Vec<String> {
+    let Statement::Is { subjects, what } = &said.statement else {
         return vec![];
     };
-    let names = names.replace(" and ", ",");
-    let names = names
-        .split(',')
-        .map(|name| name.trim_matches([' ', '$', '`']));
-    let names: Vec<&str> = names.filter(|name| !name.is_empty()).collect();
-    let plain = |name: &&str| name.chars().all(char::is_alphanumeric);
-    if names.len() != 3 || !names.iter().all(plain) {
+    let names: Option<Vec<&str>> = subjects.iter().map(name_of_axis).collect();
+    let Some(names) = names.filter(|names| names.len() == 3) else {
         return vec![];
-    }
-    let written = MARKS.iter().filter(|(mark, style)| {
-        let told = |name: &&str| {
-            let written = format!("{}{name}", mark.replace("\\hat\\vec", "\\hat{\\vec"));
-            let bare = |text: &str| text.replace([' ', '{', '}'], "");
-            let mut all = declared.declarations.iter();
-            all.any(|said| bare(said.sentence()).contains(&bare(&written)))
-        };
-        names.iter().any(|name| stands(document, name, style)) && !names.iter().any(told)
+    };
+    let marked = MARKS.map(|marks| names.iter().map(|name| letter(name, marks)).collect());
+    let new = |letters: &Vec<Node>| {
+        let stands = letters.iter().any(|letter| stands(document, letter));
+        stands && !letters.iter().any(|letter| is_told(declared, letter))
+    };
+    let told = marked.into_iter().filter(new).map(|letters| {
+        let subjects = letters
+            .iter()
+            .map(|l| Term::Formula(Formula::of(l)))
+            .collect();
+        let what = what.clone();
+        sentence(
+            &said.saying(Statement::Is { subjects, what }),
+            Lexicon::shared(),
+        )
     });
-    let sentences = written.map(|(mark, _)| {
-        let letters = names.iter().map(|name| match *mark {
-            "\\hat\\vec" => format!("$\\hat{{\\vec {name}}}$"),
-            mark => format!("${mark} {name}$"),
-        });
-        let letters: Vec<String> = letters.collect();
-        format!("{} are the axes{of}", letters.join(", "))
-    });
-    sentences.collect()
+    told.collect()
 }
 
-/// Whether a letter stands in a formula with these marks alone.
-fn stands(document: &Document, name: &str, style: &Style) -> bool {
+/// The name of an axis that is a letter without marks and labels.
+fn name_of_axis(subject: &Term) -> Option<&str> {
+    let name = match subject {
+        Term::Name(name) => name.as_str(),
+        Term::Formula(formula) => formula.source.as_str(),
+        _ => return None,
+    };
+    name.chars().all(char::is_alphanumeric).then_some(name)
+}
+
+fn letter(name: &str, (vector, hat): (bool, bool)) -> Node {
+    let style = Style {
+        vector,
+        hat,
+        ..Style::default()
+    };
+    let symbol = Symbol {
+        name: name.to_owned(),
+        style,
+        ..Symbol::default()
+    };
+    Node {
+        kind: Kind::Symbol(symbol),
+        span: Span::default(),
+    }
+}
+
+/// Whether a sentence speaks of a letter.
+fn is_told(declared: &Declared, letter: &Node) -> bool {
+    let mut all = declared
+        .declarations
+        .iter()
+        .flat_map(|said| said.statement.formulas());
+    all.any(|formula| match &formula.row {
+        Row::Expression(node) => has(node, letter),
+        Row::Line(line) => line.sides.iter().any(|side| has(side, letter)),
+        Row::Unreadable { .. } => false,
+    })
+}
+
+/// Whether a letter stands in a formula of a document.
+fn stands(document: &Document, letter: &Node) -> bool {
     let lines = document.items.iter().filter_map(|item| match item {
         Item::Formula(formula) => Some(&formula.rows),
         _ => None,
@@ -92,10 +111,9 @@ fn stands(document: &Document, name: &str, style: &Style) -> bool {
         Row::Line(line) => Some(line),
         _ => None,
     });
-    lines.any(|line| line.sides.iter().any(|side| has(side, name, style)))
+    lines.any(|line| line.sides.iter().any(|side| has(side, letter)))
 }
 
-fn has(node: &Node, name: &str, style: &Style) -> bool {
-    let own = matches!(&node.kind, Kind::Symbol(symbol) if symbol.name == name && symbol.style == *style && symbol.subscripts.is_empty());
-    own || node.children().any(|child| has(child, name, style))
+fn has(node: &Node, letter: &Node) -> bool {
+    node.kind == letter.kind || node.children().any(|child| has(child, letter))
 }

@@ -8,14 +8,14 @@ use super::capital_names::keep_capitals;
 use super::clause::Said;
 use super::compound_names::Compounds;
 use super::ellipsis::{joint_weakness, parted_at};
-use super::in_lists::{join_adjectives, tell_ends_of_lines, tell_listed_apart};
+use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::lexicon::Lexicon;
 use super::plain_terms::in_plain_terms;
 use super::reader::Reader;
 use super::reorder::{
-    axes, compounds, described_first, fronted, indexed_by_any, possessives, told_beside,
-    without_brackets, without_ranges,
+    axes, compounds, described_first, fronted, indexed_by_any, possessives, tell_ends_of_lines,
+    told_beside, without_brackets, without_ranges,
 };
 use super::rewrite::plainly;
 use super::same_lines::on_same_lines;
@@ -58,7 +58,7 @@ pub fn read_declarations(
         let said = match tokens {
             Ok(tokens) => {
                 let said = reader(tokens).or_else(|error| {
-                    let others = reminding(tokens, &before, lexicon);
+                    let others = reminding(tokens, &before, lexicon, macros);
                     let read = others.iter().find_map(|other| reader(other).ok());
                     read.ok_or(error)
                 });
@@ -91,9 +91,14 @@ pub fn read_declarations(
 }
 
 /// The sentence with what others said before in the place of the words that remind of it, each reading on its own.
-fn reminding(tokens: &[Token], before: &[&[Token]], lexicon: &Lexicon) -> Vec<Vec<Token>> {
+fn reminding(
+    tokens: &[Token],
+    before: &[&[Token]],
+    lexicon: &Lexicon,
+    macros: &Macros,
+) -> Vec<Vec<Token>> {
     let last = before.last();
-    let there = last.and_then(|before| on_same_lines(tokens, before));
+    let there = last.and_then(|before| on_same_lines(tokens, before, lexicon, macros));
     let meant = referring(&axes(tokens), before, lexicon);
     there.into_iter().chain(meant).collect()
 }

@@ -1,4 +1,4 @@
-//! Words that stand elsewhere in the plain form of a sentence: axes, owners, remarks and appositions.
+//! Words that stand elsewhere in the plain form of a sentence: axes, owners, ends of lines, remarks and appositions.
 
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
@@ -157,6 +157,45 @@ pub(crate) fn compounds(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
         }
     }
     tokens
+}
+
+/// "the line AB" as "the line from A to B".
+pub(crate) fn tell_ends_of_lines(tokens: &[Token]) -> Vec<Token> {
+    let mut plain: Vec<Token> = vec![];
+    let mut told = false;
+    for token in tokens {
+        let line = plain
+            .last()
+            .is_some_and(|t| matches!(t.lower.as_str(), "line" | "segment"));
+        let towards = told
+            && plain
+                .last()
+                .is_some_and(|t| matches!(t.lower.as_str(), "from" | "to"));
+        match ends_of_line(token).filter(|_| line || towards) {
+            Some((from, to)) => {
+                told = true;
+                if !line {
+                    plain.extend(["the", "line"].map(|word| put_in(Kind::Word, word, token)));
+                }
+                for (word, point) in [("from", from), ("to", to)] {
+                    plain.extend([word, point].map(|word| put_in(Kind::Word, word, token)));
+                }
+            }
+            None => plain.push(token.clone()),
+        }
+    }
+    plain
+}
+
+/// Two points by their names in one word: "AB", "A1B2".
+fn ends_of_line(token: &Token) -> Option<(&str, &str)> {
+    let capital = |c: char| c.is_ascii_uppercase();
+    let behind = |c: char| c.is_ascii_digit() || c == '\'';
+    let text = token.text.as_str();
+    let second = text.char_indices().skip(1).find(|(_, c)| capital(*c))?.0;
+    let (from, to) = text.split_at(second);
+    let is_point = |name: &str| name.starts_with(capital) && name.chars().skip(1).all(behind);
+    (token.kind == Kind::Word && is_point(from) && is_point(to)).then_some((from, to))
 }
 
 /// Whose: "wheel's".

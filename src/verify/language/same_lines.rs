@@ -1,7 +1,10 @@
 //! "In it", "these lines": the part of the document of which the sentence before spoke.
 
+use super::lexicon::Lexicon;
 use super::rewrite::put_in;
+use super::there::place_of;
 use super::words::{Kind, Token};
+use crate::notation::Macros;
 
 /// Words that mean the part of the sentence before, at the beginning of a sentence.
 const IN_IT: [&[&str]; 4] = [
@@ -24,17 +27,19 @@ const THESE_LINES: [&[&str]; 7] = [
 
 /// The sentence with the lines of which the sentence before spoke in the place of the words that mean them. None where it
 /// has no such words, or that sentence spoke of no lines or of several parts.
-pub(crate) fn on_same_lines(tokens: &[Token], before: &[Token]) -> Option<Vec<Token>> {
+pub(crate) fn on_same_lines(
+    tokens: &[Token],
+    before: &[Token],
+    lexicon: &Lexicon,
+    macros: &Macros,
+) -> Option<Vec<Token>> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
     let begins = |phrase: &&&[&str]| words.starts_with(phrase);
     if let Some(in_it) = IN_IT.iter().find(begins) {
-        let (extent, place) = extent_of(before)?;
+        let extent = extent_of(before, lexicon, macros)?;
         let rest = &tokens[in_it.len()..];
         let comma = usize::from(rest.first()?.kind == Kind::Comma);
-        let on = place.then(|| put_in(Kind::Word, "on", &tokens[0]));
-        let on: Vec<Token> = on.into_iter().collect();
-        let comma_between = put_in(Kind::Comma, ",", &tokens[0]);
-        return Some([&on, extent, &[comma_between], &rest[comma..]].concat());
+        return Some([&extent, &rest[comma..]].concat());
     }
     let (at, phrase) = (0..words.len()).find_map(|at| {
         let found = THESE_LINES.iter().find(|p| words[at..].starts_with(p));
@@ -44,21 +49,19 @@ pub(crate) fn on_same_lines(tokens: &[Token], before: &[Token]) -> Option<Vec<To
     Some([&tokens[..at], lines, &tokens[at + phrase.len()..]].concat())
 }
 
-/// The part of which a sentence speaks, and whether it is named without a preposition.
-fn extent_of(sentence: &[Token]) -> Option<(&[Token], bool)> {
-    let lines = lines_named(sentence)?;
-    let first = sentence.first()?.lower.as_str();
-    let prepositions = ["on", "in", "from"];
-    let start = sentence.iter().position(|t| t.lower.starts_with("line"))?;
-    match prepositions.contains(&first) && start == 1 {
-        true => {
-            let end = start + lines.len();
-            let on = |t: &Token| matches!(t.lower.as_str(), "on" | "onwards" | "onward");
-            let open = first == "from" && sentence.get(end).is_some_and(on);
-            Some((&sentence[..end + usize::from(open)], false))
-        }
-        false => Some((lines, true)),
+/// Where a sentence speaks: the part of the document that it names at its beginning, or on the lines of which it tells.
+fn extent_of(sentence: &[Token], lexicon: &Lexicon, macros: &Macros) -> Option<Vec<Token>> {
+    let place = place_of(sentence, lexicon, macros);
+    if !place.is_empty() {
+        return Some(place);
     }
+    let lines = lines_named(sentence)?;
+    let near = lines.first()?;
+    let (on, comma) = (
+        put_in(Kind::Word, "on", near),
+        put_in(Kind::Comma, ",", near),
+    );
+    Some([&[on], lines, &[comma]].concat())
 }
 
 /// "lines 3 to 7", if a sentence names lines once.

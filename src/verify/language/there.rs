@@ -39,7 +39,7 @@ fn length_of_there(tokens: &[Token]) -> Option<usize> {
 }
 
 /// The words with which a sentence says of which part of the document it speaks.
-fn place_of(tokens: &[Token], lexicon: &Lexicon, macros: &Macros) -> Vec<Token> {
+pub(super) fn place_of(tokens: &[Token], lexicon: &Lexicon, macros: &Macros) -> Vec<Token> {
     let bodies = BTreeSet::new();
     let mut reader = Reader::new(tokens, (1, 1), lexicon, macros, &bodies);
     let end = reader.extents().map_or(0, |_| reader.at);

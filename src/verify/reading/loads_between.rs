@@ -91,16 +91,7 @@ impl Builder<'_> {
             return None;
         };
         let pair = Pair { agent: *agent, on };
-        let spoken = |d: &Declaration| match &d.statement {
-            Statement::Is { what, .. } if what.head == FORCE => {
-                let told = self.acting_pair(what, None);
-                told.is_some_and(|told| told == pair || told == pair.turned())
-            }
-            _ => false,
-        };
-        if !self.declarations.iter().any(spoken) {
-            return None;
-        }
+        self.forces_between(pair).next()?;
         let between = self.load_of_pair(FORCE, pair, Some(at))?;
         // Where another force acts there as well it is open which one is meant.
         let loads = self.loads_on(on, at, Lasting::Always);
@@ -114,14 +105,21 @@ impl Builder<'_> {
             return false;
         };
         let own = |formula: &Formula| node_of(formula).map(spelled).as_ref() == Some(letter);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == FORCE => {
-                let told = self.acting_pair(what, None);
-                let told = told.is_some_and(|told| told == pair || told == pair.turned());
-                told && formulas(subjects).any(own)
-            }
-            _ => false,
-        })
+        let mut named = self.forces_between(pair);
+        named.any(|subjects| formulas(subjects).any(own))
+    }
+
+    /// What sentences say to be the force of one of two bodies on the other.
+    fn forces_between(&self, pair: Pair) -> impl Iterator<Item = &[Term]> {
+        self.declarations
+            .iter()
+            .filter_map(move |d| match &d.statement {
+                Statement::Is { subjects, what } if what.head == FORCE => {
+                    let told = self.acting_pair(what, None)?;
+                    (told == pair || told == pair.turned()).then_some(subjects.as_slice())
+                }
+                _ => None,
+            })
     }
 
     /// The force or the moment of one body on another as a quantity.

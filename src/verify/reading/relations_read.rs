@@ -41,10 +41,8 @@ impl Builder<'_> {
         if self.turns_by_line(one, other, &angle) {
             return Some(());
         }
-        let (one, other) = (
-            self.vector(one, declaration)?,
-            self.vector(other, declaration)?,
-        );
+        let one = self.vector(one, declaration)?;
+        let other = self.vector(other, declaration)?;
         let (cosine, sine) = self.system().atoms.cosine_sine(&angle)?;
         // The angle between two vectors is one of a half turn.
         if sine
@@ -53,10 +51,21 @@ impl Builder<'_> {
         {
             self.system().atoms.tell_sign(&sine, false);
         }
-        let lengths = one.dot(&one) * other.dot(&other);
-        let length = self.system().atoms.root(&lengths)?;
-        self.hold(one.dot(&other) - length * cosine, declaration);
+        let difference = self.beside_cosine(&one, &other, cosine)?;
+        self.hold(difference, declaration);
         Some(())
+    }
+
+    /// By how much the product of two vectors differs from what it is where their angle has a cosine.
+    fn beside_cosine(
+        &mut self,
+        one: &Vector,
+        other: &Vector,
+        cosine: Fraction,
+    ) -> Option<Fraction> {
+        let lengths = one.dot(one) * other.dot(other);
+        let length = self.system().atoms.root(&lengths)?;
+        Some(one.dot(other) - length * cosine)
     }
 
     /// "`$\theta$` is the angle from z to n", where n is turned by it: the turns tell no less.
@@ -89,14 +98,10 @@ impl Builder<'_> {
         if !self.reading.system.frames.iter().any(by_it) {
             return None;
         }
-        let (from, to) = (
-            self.vector(from, declaration)?,
-            self.vector(to, declaration)?,
-        );
+        let from = self.vector(from, declaration)?;
+        let to = self.vector(to, declaration)?;
         let (cosine, _) = self.system().atoms.cosine_sine(&angle)?;
-        let lengths = from.dot(&from) * to.dot(&to);
-        let length = self.system().atoms.root(&lengths)?;
-        Some(from.dot(&to) - length * cosine)
+        self.beside_cosine(&from, &to, cosine)
     }
 
     /// The vector that a term names: a letter, an axis, a position.

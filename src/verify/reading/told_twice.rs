@@ -22,15 +22,15 @@ impl<'a> Builder<'a> {
         let letters = &self.reading.letters.letters;
         let mut twice = vec![];
         for (at, letter) in letters.iter().enumerate() {
-            let same = |other: &&Letter| is_same_letter(other, letter);
-            let first = letters[..at].iter().find(same);
-            let sentence = |d: &&Declaration| d.text == letter.sentence;
-            let declaration = self.declarations.iter().find(sentence);
+            let first = letters[..at]
+                .iter()
+                .find(|first| is_same_letter(first, letter));
             let meanings = first.map(|first| (&first.meaning, &letter.meaning));
             if let Some((Meaning::Quantity(first), Meaning::Quantity(other))) = meanings
-                && let Some(declaration) = declaration.filter(|_| first != other)
+                && first != other
+                && let Some(said) = self.declarations.iter().find(|d| d.text == letter.sentence)
             {
-                twice.push((first.clone(), other.clone(), declaration));
+                twice.push((first.clone(), other.clone(), said));
             }
         }
         twice
