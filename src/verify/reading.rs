@@ -255,6 +255,12 @@ impl Reading {
         found.and_then(|line| line.role)
     }
 
+    /// Whether nothing but that a line holds at one instant makes it given.
+    pub(crate) fn is_given_at_start(&self, at: &At) -> bool {
+        let own = self.roles.iter().filter(|line| line.reach.covers(at, 0));
+        self.instants.at(at).is_some() && own.count() == 1
+    }
+
     /// Whether a sentence says that lines define a letter, and no line at this place.
     pub(crate) fn is_defined_elsewhere(&self, letter: &str, at: &At) -> bool {
         let defines = |line: &&LineRole| line.defines.as_deref() == Some(letter);

@@ -1,6 +1,6 @@
 //! Rods that lie along an axis from one of their ends: where their middle and their other end are.
 
-use super::heads::MASS_CENTRE;
+use super::heads::{MASS_CENTRE, UNIT_VECTOR};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -11,6 +11,7 @@ const END: &str = "end";
 /// "The handle lies along z from A", where A is an end of it: its other end is its length from there, and its mass centre half
 /// of that if it is uniform.
 pub(super) fn lay_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    point_along_rods(declarations);
     let mut at = 0;
     while at < declarations.len() {
         if let Some(rod) = laid(&declarations[at].statement, declarations) {
@@ -18,6 +19,52 @@ pub(super) fn lay_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
         }
         at += 1;
     }
+}
+
+/// "`$u$` is the unit vector from A to G", from an end of a rod to its mass centre or to its other end: the rod lies along u
+/// from A.
+fn point_along_rods(declarations: &mut Vec<Declaration>) {
+    let rods = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "rod" => Some(subjects),
+        _ => None,
+    });
+    let rods: Vec<Term> = rods.flatten().cloned().collect();
+    let mut laid = vec![];
+    for declaration in declarations.iter() {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let ([along], true) = (subjects.as_slice(), what.head == UNIT_VECTOR) else {
+            continue;
+        };
+        let (Some(from), Some(to)) = (what.slot(Slot::From), what.slot(Slot::To)) else {
+            continue;
+        };
+        let own = |rod: &&Term| {
+            let of_rod = |point: &Term| ends(rod, declarations).any(|end| end == point);
+            of_rod(from) && (of_rod(to) || is_centre(to, rod, declarations))
+        };
+        laid.extend(rods.iter().find(own).map(|rod| {
+            declaration.saying(Statement::Does {
+                subjects: vec![rod.clone()],
+                verb: "lie",
+                slots: vec![(Slot::Along, along.clone()), (Slot::From, from.clone())],
+            })
+        }));
+    }
+    declarations.extend(laid);
+}
+
+/// Whether a point is said to be the mass centre of a body.
+fn is_centre(point: &Term, body: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            what.head == MASS_CENTRE
+                && what.slot(Slot::Of) == Some(body)
+                && subjects.contains(point)
+        }
+        _ => false,
+    })
 }
 
 /// A rod of a known length that begins at a point.

@@ -367,6 +367,15 @@ impl Atoms {
         }
     }
 
+    /// Whether a value is made up of what never changes.
+    pub(crate) fn is_constant(&self, value: &Fraction) -> bool {
+        let constant = |v| {
+            let atom = self.atom(v);
+            atom.place == Place::Parameter || matches!(atom.motion, Motion::Constant)
+        };
+        value.variables().into_iter().all(constant)
+    }
+
     /// Whether nothing is told of a variable, or of what it is a function of.
     pub(crate) fn is_unknown(&self, variable: Variable) -> bool {
         match &self.atom(variable).nature {

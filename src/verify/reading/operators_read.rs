@@ -105,7 +105,10 @@ pub(super) fn rate_in_time(written: &str) -> Option<Mark> {
     if plain.ends_with("partialt") {
         return Some(Mark::Partial);
     }
-    let total = written.contains("dt") || written.contains("{t}") || is_rate_of_deltas(written);
+    let total = written.contains("dt")
+        || plain.ends_with("dt")
+        || written.contains("{t}")
+        || is_rate_of_deltas(written);
     total.then_some(Mark::Leibniz)
 }
 

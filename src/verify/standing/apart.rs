@@ -4,14 +4,14 @@
 //! quantity keeps a variable of its own and no law of mechanics is put in, so that one line follows from another only if
 //! it says the same, in components, in vectors, or with a definition put in.
 
-use crate::algebra::{Fraction, Place, Polynomial, Variable};
+use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::{Document, Headings, Item, Row};
 use crate::source::Span;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::Declaration;
-use crate::verify::model::atoms::{Motion, fraction};
+use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::KeptApart;
 use crate::verify::reading::loads_read::tells_loads;
 use crate::verify::standing::chains::Chain;
@@ -275,12 +275,7 @@ impl<'a> Apart<'a> {
 
     /// Whether a value is made up of what never changes.
     pub(crate) fn is_constant(&self, value: &Fraction) -> bool {
-        let atoms = &self.judge.reading.system.atoms;
-        let constant = |v| {
-            let atom = atoms.atom(v);
-            atom.place == Place::Parameter || matches!(atom.motion, Motion::Constant)
-        };
-        value.variables().into_iter().all(constant)
+        self.judge.reading.system.atoms.is_constant(value)
     }
 
     /// A value with what is taken in put in; `None` where it grows too large.

@@ -246,6 +246,7 @@ impl<'a> Judge<'a> {
         self.take_jacobians();
         let purpose = self.purpose_of(line, &links, display);
         let held = self.hold_line(line, &links);
+        let purpose = self.unless_it_relates(purpose, &held);
         if named && held.iter().any(|h| h.standing != Standing::Entailed) {
             return;
         }

@@ -1,8 +1,10 @@
 //! What each line of a document is for: by words, by what it speaks of, by what sentences say of it.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Line, Node, Relation};
 use crate::verify::Role;
 use crate::verify::standing::chains::Link;
+use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::term::letters::{Meaning, loosely, spelled};
@@ -46,6 +48,26 @@ impl Judge<'_> {
             purpose.role = Role::Define;
         }
         purpose
+    }
+
+    /// What holds at the start gives the values that the motion starts from. A line there that relates what moves to what
+    /// moves may be worked out: it is a claim where it follows, and open where it does not.
+    pub(super) fn unless_it_relates(&self, purpose: Purpose, held: &[Held]) -> Purpose {
+        let given = purpose.declared && purpose.role == Role::Given;
+        let starts = given && self.reading.is_given_at_start(&self.at);
+        let moves = |side: &Fraction| !self.reading.system.atoms.is_constant(side);
+        let relates = |h: &Held| {
+            h.sides
+                .iter()
+                .any(|(left, right)| moves(left) && moves(right))
+        };
+        match starts && held.iter().any(relates) {
+            true => Purpose {
+                doubtful: true,
+                ..Purpose::default()
+            },
+            false => purpose,
+        }
     }
 
     /// Whether a line stands in another part, and says nothing of this one.

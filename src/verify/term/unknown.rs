@@ -33,7 +33,9 @@ impl Lowering<'_> {
                 number(i64::from(sign) - i64::from(other))
             }
             ("pi", []) => Some(Ok(Value::scalar(self.system.atoms.pi()))),
-            ("t", []) if symbol.superscripts.is_empty() => {
+            ("t", [])
+                if symbol.superscripts.is_empty() && !symbol.style.vector && !symbol.style.hat =>
+            {
                 Some(Ok(Value::scalar(self.system.atoms.time())))
             }
             _ => None,
