@@ -371,7 +371,12 @@ impl Atoms {
     pub(crate) fn is_constant(&self, value: &Fraction) -> bool {
         let constant = |v| {
             let atom = self.atom(v);
-            atom.place == Place::Parameter || matches!(atom.motion, Motion::Constant)
+            let rests = match &atom.motion {
+                Motion::Constant => true,
+                Motion::Rate(rate) => rate.is_zero(),
+                Motion::Free => false,
+            };
+            rests || atom.place == Place::Parameter
         };
         value.variables().into_iter().all(constant)
     }

@@ -1,8 +1,9 @@
 //! What each line of a document is for: by words, by what it speaks of, by what sentences say of it.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Line, Node, Relation};
 use crate::verify::Role;
+use crate::verify::model::atoms::fraction;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
@@ -55,7 +56,12 @@ impl Judge<'_> {
     pub(super) fn unless_it_relates(&self, purpose: Purpose, held: &[Held]) -> Purpose {
         let given = purpose.declared && purpose.role == Role::Given;
         let starts = given && self.reading.is_given_at_start(&self.at);
-        let moves = |side: &Fraction| !self.reading.system.atoms.is_constant(side);
+        let atoms = &self.reading.system.atoms;
+        let known = |v: &Variable| !atoms.is_unknown(*v);
+        let moves = |side: &Fraction| {
+            let mut known = side.variables().into_iter().filter(known);
+            known.any(|v| !atoms.is_constant(&fraction(v)))
+        };
         let relates = |h: &Held| {
             h.sides
                 .iter()
