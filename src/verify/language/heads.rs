@@ -185,6 +185,8 @@ pub(crate) const TENSOR_PRODUCT: &str = "tensor product";
 pub(crate) const FULL_STOP: &str = "full stop between vectors";
 /// Quaternions side by side.
 pub(crate) const PRODUCT_OF_QUATERNIONS: &str = "product of quaternions";
+/// Vectors without a sign between them.
+pub(crate) const VECTORS_SIDE_BY_SIDE: &str = "vectors side by side";
 /// A dot that is no dot product.
 pub(crate) const QUATERNION_DOT: &str = "dot between quaternions";
 /// Ways to set formulas of which a sentence says that they change nothing.

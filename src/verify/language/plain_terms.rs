@@ -1,7 +1,10 @@
 //! What sentences say in the terms that the model has: one pass after another, each brings one way to say a thing to the plain one.
 
+use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
+
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
+use super::components_along::take_along_axes;
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
@@ -17,6 +20,7 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
+use super::listed_between::name_by_agents;
 use super::meeting_axes::fix_meeting_points;
 use super::member_wheels::turn_members;
 use super::mounted::mount_wheels;
@@ -80,6 +84,8 @@ fn name_things(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
+    take_along_axes(&mut declarations);
+    name_by_agents(&mut declarations);
     name_frames_by_numbers(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
@@ -101,6 +107,7 @@ fn name_things(
 
 /// Turns of frames and bodies, and the axes about which they turn.
 fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    place_by_angles(declarations, macros);
     name_triads(declarations);
     tell_turning(declarations);
     tell_matrices(declarations);

@@ -5,7 +5,7 @@ use crate::verify::language::heads::{
     COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FRAME_BEFORE_RATE, FULL_STOP,
     INSTANT, INVERSE_MAP, NOTHING, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT,
     RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
-    UNDERBRACE,
+    UNDERBRACE, VECTORS_SIDE_BY_SIDE,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -168,6 +168,11 @@ impl Builder<'_> {
             (Sign::Custom(COLUMN_OF_VECTORS), NotationMeaning::Fixed(ROWS_OF_MATRIX)) => {
                 letters.customs.vectors_in_rows.push(reach.clone());
             }
+            (Sign::Custom(VECTORS_SIDE_BY_SIDE), NotationMeaning::Noun(dyad))
+                if dyad.head == TENSOR_PRODUCT =>
+            {
+                letters.customs.products.dyads = true;
+            }
             // Which axes columns of two are on is read behind the signs.
             (Sign::Custom(COLUMNS_OF_TWO), _) => {}
             _ => return is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING),
@@ -188,7 +193,19 @@ impl Builder<'_> {
         }
         if let (Sign::Custom(between), true) = (sign, is_quaternion_product(sign, meaning)) {
             // Side by side quaternions are multiplied so by custom.
-            self.reading.letters.customs.quaternion_dots |= *between == QUATERNION_DOT;
+            self.reading.letters.customs.products.quaternion_dots |= *between == QUATERNION_DOT;
+            return;
+        }
+        if let Some(component) = component_of_cross(sign, meaning) {
+            let along = component.slot(Slot::Along).cloned();
+            let axis = along.and_then(|along| self.direction(&along, declaration, None));
+            match axis {
+                Some(axis) => {
+                    let products = &mut self.reading.letters.customs.products;
+                    products.across.push((reach, axis));
+                }
+                None => self.say_unused(declaration),
+            }
             return;
         }
         let Some(effect) = self.effect(meaning) else {
@@ -404,6 +421,25 @@ fn has_outer_product(formula: &Formula) -> bool {
         Some(Kind::Product(factors)) => factors.iter().any(outer),
         _ => false,
     }
+}
+
+/// "`$\\times$` means the component of the cross product along z", "`$a\\times b$` means its component along z".
+fn component_of_cross<'m>(sign: &Sign, meaning: &'m NotationMeaning) -> Option<&'m NounPhrase> {
+    let (Sign::Operator(written), NotationMeaning::Noun(what)) = (sign, meaning) else {
+        return None;
+    };
+    let cross = |f: &Factor| f.operator == Operator::Cross;
+    let crosses = written.source.trim() == "\\times"
+        || match node_of(written).map(|node| &node.kind) {
+            Some(Kind::Product(factors)) => factors.iter().any(cross),
+            _ => false,
+        };
+    let own = match what.slot(Slot::Of) {
+        None => true,
+        Some(Term::Phrase(of)) => of.head == "cross product",
+        Some(of) => of == &Term::Formula(written.clone()),
+    };
+    (crosses && own && what.head == "component").then_some(what)
 }
 
 /// "A dot between quaternions means the quaternion product", "quaternions side by side mean …".

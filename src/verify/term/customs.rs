@@ -1,6 +1,6 @@
 //! How the author writes all letters.
 
-use crate::verify::model::system::FrameId;
+use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::term::letters::{At, Reach};
 use crate::verify::term::quaternions::Layout;
 use std::collections::{BTreeMap, BTreeSet};
@@ -22,8 +22,7 @@ pub(crate) struct Customs {
     pub(crate) crossing_brackets: bool,
     /// Where a brace with a label only names what stands in it.
     pub(crate) naming_braces: Vec<Reach>,
-    /// A dot between quaternions is their product.
-    pub(crate) quaternion_dots: bool,
+    pub(crate) products: Products,
     /// Where the scalar stands in a quaternion.
     pub(crate) layout: Layout,
     /// The names of axes that only one frame has.
@@ -32,6 +31,25 @@ pub(crate) struct Customs {
     pub(crate) named_only: BTreeSet<String>,
     /// How many dimensions space has, where.
     pub(crate) dimensions: Vec<(Reach, usize)>,
+}
+
+/// What signs of products mean, and factors without one.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Products {
+    /// A dot between quaternions is their product.
+    pub(crate) quaternion_dots: bool,
+    /// Any two vectors side by side are a dyad; two unit vectors are one in any case.
+    pub(crate) dyads: bool,
+    /// Where a cross product of vectors of a plane is its component across that plane, and along what.
+    pub(crate) across: Vec<(Reach, Vector)>,
+}
+
+impl Products {
+    /// Along what a cross product is its component at a place.
+    pub(crate) fn across_at(&self, at: &At) -> Option<&Vector> {
+        let own = self.across.iter().find(|(reach, _)| reach.covers(at, 0));
+        own.map(|(_, axis)| axis)
+    }
 }
 
 impl Customs {

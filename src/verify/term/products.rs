@@ -5,8 +5,9 @@ use crate::notation::ast::{Bracket, Factor, Kind, Node, Operator as Sign};
 use crate::verify::model::atoms::{Key, Motion, Space, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::indices::axis_letters;
-use crate::verify::term::letters::{loosely, spelled};
+use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -171,11 +172,8 @@ impl Lowering<'_> {
                 continue;
             }
             let value = self.value(run[at])?;
-            // Unit vectors side by side are a dyad.
             let dyad = match values.last() {
-                Some(left) if has_hat(run[at - 1]) && has_hat(run[at]) => {
-                    self.dyad(left, &value)?
-                }
+                Some(left) if self.makes_dyad(run[at - 1], run[at]) => self.dyad(left, &value)?,
                 _ => None,
             };
             match dyad {
@@ -219,6 +217,22 @@ impl Lowering<'_> {
             product = self.joined(&product, Sign::Juxtaposed, right, custom)?;
         }
         Ok(product)
+    }
+
+    /// Unit vectors side by side are a dyad; other vectors are where a sentence says so.
+    fn makes_dyad(&self, left: &Node, right: &Node) -> bool {
+        let unit = |node: &Node| {
+            let told = || {
+                self.letters
+                    .find(&spelled(node), &loosely(node), self.at, 1)
+            };
+            has_hat(node)
+                || told().is_some_and(|letter| match &letter.meaning {
+                    Meaning::Quantity(Quantity::Axis(..) | Quantity::UnitVector { .. }) => true,
+                    _ => false,
+                })
+        };
+        self.letters.customs.products.dyads || unit(left) && unit(right)
     }
 
     /// a b of two vectors that are no columns of numbers.
@@ -355,7 +369,7 @@ impl Lowering<'_> {
         let factors = [left, right]
             .iter()
             .all(|v| v.is_quaternion() || v.is_vector());
-        let dots = self.letters.customs.quaternion_dots && sign == Sign::Dot;
+        let dots = self.letters.customs.products.quaternion_dots && sign == Sign::Dot;
         if quaternions && factors && (dots || matches!(sign, Sign::Tensor | Sign::Juxtaposed)) {
             let layout = self.letters.customs.layout;
             return self.system.quaternion_product(left, right, layout);
@@ -363,7 +377,16 @@ impl Lowering<'_> {
         match sign {
             Sign::Juxtaposed => self.system.times(left, right, custom),
             Sign::Dot => self.system.dot(left, right, custom),
-            Sign::Cross => self.system.cross(left, right, custom),
+            Sign::Cross => {
+                let product = self.system.cross(left, right, custom)?;
+                match self.letters.customs.products.across_at(self.at) {
+                    Some(axis) => {
+                        self.system
+                            .dot(&product, &Value::vector(axis, Basis::Itself), custom)
+                    }
+                    None => Ok(product),
+                }
+            }
             Sign::Tensor if left.is_vector() && right.is_vector() => {
                 let row = right.transposed();
                 self.system.times(left, &row, custom)

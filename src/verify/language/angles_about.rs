@@ -1,0 +1,102 @@
+//! Angles about an axis, from a direction to the vector between two points: where the second point is.
+
+use super::reader::formula;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
+use std::collections::BTreeMap;
+
+/// "`$\theta$` is the angle about z from x to `$r$`", where r is the position of P from O and a letter is its magnitude: P is
+/// placed from O by that magnitude, along x turned about z by the angle. An angle may begin at a vector that is told so.
+pub(super) fn place_by_angles(declarations: &mut [Declaration], macros: &Macros) {
+    let mut told: BTreeMap<String, String> = BTreeMap::new();
+    let mut before = usize::MAX;
+    while told.len() != before {
+        before = told.len();
+        for at in 0..declarations.len() {
+            if let Some((vector, direction, placed)) =
+                placed(&declarations[at].statement, declarations, &told, macros)
+                && !told.contains_key(&vector)
+            {
+                told.insert(vector, direction);
+                declarations[at].statement = placed;
+            }
+        }
+    }
+}
+
+/// The vector of an angle, along what it lies, and what is said of the points.
+fn placed(
+    statement: &Statement,
+    declarations: &[Declaration],
+    told: &BTreeMap<String, String>,
+    macros: &Macros,
+) -> Option<(String, String, Statement)> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([Term::Formula(angle)], "angle") = (subjects.as_slice(), what.head) else {
+        return None;
+    };
+    let ends = [Slot::RelativeTo, Slot::To, Slot::About].map(|slot| what.slot(slot));
+    let ([Some(from), Some(Term::Formula(to)), Some(about)], 3) = (ends, what.slots.len()) else {
+        return None;
+    };
+    let vector = to.source.clone();
+    let (point, origin) = position(&vector, declarations)?;
+    let magnitude = magnitude(&vector, declarations)?;
+    let about = written(about)?;
+    let from = written(from)?;
+    let from = told.get(&from).cloned().unwrap_or(from);
+    let angle = &angle.source;
+    let direction = format!(
+        "\\left(\\cos\\left({angle}\\right)\\left({from}\\right)+\\sin\\left({angle}\\right)\\left({about}\\right)\\times\\left({from}\\right)\\right)"
+    );
+    let way = formula(&format!("{magnitude}{direction}"), false, macros)?;
+    let slots = vec![(Slot::From, origin), (Slot::By, Term::Formula(way))];
+    let placed = Statement::Does {
+        subjects: vec![point],
+        verb: "place",
+        slots,
+    };
+    Some((vector, direction, placed))
+}
+
+/// A direction as a formula writes it.
+fn written(term: &Term) -> Option<String> {
+    match term {
+        Term::Formula(formula) => Some(formula.source.clone()),
+        Term::Name(name) => (name.chars().count() == 1).then(|| name.clone()),
+        _ => None,
+    }
+}
+
+/// Of which point from where a vector is the position.
+fn position(vector: &str, declarations: &[Declaration]) -> Option<(Term, Term)> {
+    let (_, what) = said_of(declarations, "position").find(|(letter, _)| *letter == vector)?;
+    Some((what.slot(Slot::Of)?.clone(), what.slot(Slot::From)?.clone()))
+}
+
+/// The letter of the magnitude of a vector.
+fn magnitude(vector: &str, declarations: &[Declaration]) -> Option<String> {
+    let of = |what: &NounPhrase| match what.slot(Slot::Of) {
+        Some(Term::Formula(of)) => of.source == vector,
+        _ => false,
+    };
+    let mut all = said_of(declarations, "magnitude");
+    all.find(|(_, what)| of(what))
+        .map(|(letter, _)| letter.to_owned())
+}
+
+/// The single letters that are said to be what a noun names.
+fn said_of<'d>(
+    declarations: &'d [Declaration],
+    head: &'static str,
+) -> impl Iterator<Item = (&'d str, &'d NounPhrase)> {
+    declarations.iter().filter_map(move |d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == head => match subjects.as_slice() {
+            [Term::Formula(letter)] => Some((letter.source.as_str(), what)),
+            _ => None,
+        },
+        _ => None,
+    })
+}
