@@ -73,7 +73,10 @@ fn written(term: &Term) -> Option<String> {
 /// Of which point from where a vector is the position.
 fn position(vector: &str, declarations: &[Declaration]) -> Option<(Term, Term)> {
     let (_, what) = said_of(declarations, "position").find(|(letter, _)| *letter == vector)?;
-    Some((what.slot(Slot::Of)?.clone(), what.slot(Slot::From)?.clone()))
+    let from = what
+        .slot(Slot::From)
+        .or_else(|| what.slot(Slot::RelativeTo))?;
+    Some((what.slot(Slot::Of)?.clone(), from.clone()))
 }
 
 /// The letter of the magnitude of a vector.

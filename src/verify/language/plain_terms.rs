@@ -4,7 +4,7 @@ use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
 
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
-use super::components_along::take_along_axes;
+use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
@@ -85,6 +85,7 @@ fn name_things(
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
     take_along_axes(&mut declarations);
+    take_across_planes(&mut declarations);
     name_by_agents(&mut declarations);
     name_frames_by_numbers(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
