@@ -4,6 +4,9 @@ use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 
+/// The nouns of what may act at a point.
+const LOADS: [&str; 3] = ["force", "moment", "weight"];
+
 /// A load that a sentence names by a letter: "`$T$` is the force of A on B at P".
 struct Between {
     letter: String,
@@ -34,6 +37,38 @@ pub(super) fn name_by_agents(declarations: &mut [Declaration]) {
     }
 }
 
+/// "the force `$F$` at A and the force `$G$` at B": what is listed behind a point is the next load, and no point.
+pub(super) fn list_next_loads(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        if let Statement::Premise(premise) = &mut declaration.statement
+            && premise.is("only")
+        {
+            let mut slots = vec![];
+            for (slot, load) in premise.slots.drain(..) {
+                let next = (slot == Slot::With).then(|| loads_in_turn(load.clone()));
+                let each = next.unwrap_or_else(|| vec![load]);
+                slots.extend(each.into_iter().map(|load| (slot, load)));
+            }
+            premise.slots = slots;
+        }
+    }
+}
+
+/// A load, and those that hang on it in the place of points.
+fn loads_in_turn(load: Term) -> Vec<Term> {
+    let Term::Phrase(mut first) = load else {
+        return vec![load];
+    };
+    let is_load = |term: &Term| matches!(term, Term::Phrase(own) if LOADS.contains(&own.head));
+    let (next, own) = std::mem::take(&mut first.slots)
+        .into_iter()
+        .partition(|(slot, term)| *slot == Slot::At && is_load(term));
+    first.slots = own;
+    let next: Vec<(Slot, Term)> = next;
+    let next = next.into_iter().flat_map(|(_, load)| loads_in_turn(load));
+    std::iter::once(Term::Phrase(first)).chain(next).collect()
+}
+
 /// What a sentence tells of the load of one body on another.
 fn told_between(declaration: &Declaration) -> Option<Between> {
     let Statement::Is { subjects, what } = &declaration.statement else {
@@ -43,7 +78,7 @@ fn told_between(declaration: &Declaration) -> Option<Between> {
         return None;
     };
     let plain = |(slot, _): &(Slot, Term)| matches!(slot, Slot::Of | Slot::Upon | Slot::At);
-    let told = ["force", "moment"].contains(&what.head) && what.adjectives.is_empty();
+    let told = LOADS.contains(&what.head) && what.adjectives.is_empty();
     (told && what.slots.iter().all(plain)).then_some(())?;
     Some(Between {
         letter: letter.source.clone(),

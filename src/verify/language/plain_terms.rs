@@ -20,7 +20,7 @@ use super::kinds::{
     shape_by_name, show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
-use super::listed_between::name_by_agents;
+use super::listed_between::{list_next_loads, name_by_agents};
 use super::meeting_axes::fix_meeting_points;
 use super::member_wheels::turn_members;
 use super::mounted::mount_wheels;
@@ -86,6 +86,7 @@ fn name_things(
 ) -> Vec<Declaration> {
     take_along_axes(&mut declarations);
     take_across_planes(&mut declarations);
+    list_next_loads(&mut declarations);
     name_by_agents(&mut declarations);
     name_frames_by_numbers(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
