@@ -1,6 +1,6 @@
 //! Links that are judged by fewer premises than are in force, where all of them together grow too large.
 
-use crate::algebra::{Fraction, Proof};
+use crate::algebra::{Fraction, Place, Proof};
 use crate::verify::facts::Source;
 use crate::verify::facts::parts::Part;
 use crate::verify::facts::premises::Facts;
@@ -17,7 +17,7 @@ use num_traits::Zero;
 const MOST_OF_SHORT: usize = 12;
 
 /// The premises of no more sentences and lines are tried alone.
-const MOST_PARTS: usize = 24;
+const MOST_PARTS: usize = 36;
 
 /// In no more choices of the premises that links need facts are kept.
 const MOST_KEPT: usize = 64;
@@ -139,6 +139,13 @@ impl Judge<'_> {
         proof
     }
 
+    /// Whether a premise says where things are or how fast they move, and nothing of what accelerates them.
+    fn tells_places(&self, equation: &Fraction) -> bool {
+        let atoms = &self.reading.system.atoms;
+        let mut variables = equation.variables().into_iter();
+        variables.all(|v| atoms.atom(v).place != Place::Acceleration)
+    }
+
     /// A proof by the facts that each pair is equal.
     fn proof(&mut self, sides: &[(Fraction, Fraction)]) -> Option<Proof> {
         let residuals = self.residuals(sides).ok()?;
@@ -148,17 +155,26 @@ impl Judge<'_> {
         follows.then(|| prove(&mut self.facts, atoms, sides, &small))?
     }
 
-    /// The short premises, those of one sentence or line, and both.
+    /// The premises of places, the short ones, those of one sentence or line, and these with the others.
     fn parts_of_premises(&self) -> Vec<Part> {
         let all = self.premises();
         let short =
             |(equation, _): &&(Fraction, Source)| equation.numerator().len() <= MOST_OF_SHORT;
-        let mut parts: Vec<Vec<_>> = vec![all.iter().filter(short).cloned().collect()];
+        let places = |(equation, _): &&(Fraction, Source)| self.tells_places(equation);
+        let mut parts: Vec<Vec<_>> = vec![
+            all.iter().filter(places).cloned().collect(),
+            all.iter().filter(short).cloned().collect(),
+        ];
         for (_, source) in &all {
             let own = |(_, other): &&(Fraction, Source)| other == source;
             let alone: Vec<_> = all.iter().filter(own).cloned().collect();
+            let with_places = all.iter().filter(|p| own(p) || places(p));
             let with_short = all.iter().filter(|p| own(p) || short(p));
-            for part in [alone, with_short.cloned().collect()] {
+            for part in [
+                alone,
+                with_places.cloned().collect(),
+                with_short.cloned().collect(),
+            ] {
                 if parts.len() <= MOST_PARTS && !parts.contains(&part) {
                     parts.push(part);
                 }
