@@ -269,8 +269,21 @@ fn marked(mut node: Node, mark: Mark, tokens: &[Token<'_>]) -> Node {
             kind: Kind::Skew(Box::new(node)),
             span,
         };
+    } else if mark == Mark::Bold && matches!(node.kind, Kind::Sum(_)) {
+        mark_each(&mut node, mark);
     }
     node
+}
+
+/// `\mathbf{a-b}`: the letters of a sum one by one.
+fn mark_each(node: &mut Node, mark: Mark) {
+    match super::script::symbol_of(node) {
+        Some(symbol) => apply(&mut symbol.style, mark),
+        None => node
+            .children_mut()
+            .into_iter()
+            .for_each(|child| mark_each(child, mark)),
+    }
 }
 
 fn apply(style: &mut Style, mark: Mark) {
