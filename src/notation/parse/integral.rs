@@ -45,10 +45,12 @@ impl Parser<'_, '_> {
             self.at = self.tokens.len();
             return node;
         };
-        let inside = &self.tokens[self.at..at];
+        let braced = at > self.at && self.tokens[at - 1].kind == Lexeme::Open;
+        let inside = &self.tokens[self.at..at - usize::from(braced)];
         self.at = at + length;
         let volume = if others > 0 { None } else { self.volume() };
         let variable = volume.unwrap_or_else(|| self.differential_variable());
+        self.at += usize::from(braced && self.peek() == Some(Lexeme::Close));
         self.skip_spaces();
         let first = inside.iter().all(|t| matches!(t.kind, Lexeme::Space(_)));
         let integrand = match first {
@@ -156,12 +158,34 @@ impl Parser<'_, '_> {
             {
                 return Some((i, length));
             }
+            if depth == 0 && self.is_braced_differential(i) {
+                let length = derivative::mark(&self.tokens[i + 1..]).map(|(length, _)| length);
+                return length.map(|length| (i + 1, length));
+            }
             depth += nesting(&self.tokens[i]);
             if depth < 0 {
                 return None;
             }
         }
         None
+    }
+
+    /// `{dV}`: braces around nothing but a differential.
+    fn is_braced_differential(&self, at: usize) -> bool {
+        let Some(inside) = self
+            .tokens
+            .get(at + 1..)
+            .filter(|_| self.tokens[at].kind == Lexeme::Open)
+        else {
+            return false;
+        };
+        match derivative::mark(inside) {
+            Some((length, false)) => {
+                let kinds = [length, length + 1].map(|at| inside.get(at).map(|token| token.kind));
+                matches!(kinds, [Some(Lexeme::Letter(_)), Some(Lexeme::Close)])
+            }
+            _ => false,
+        }
     }
 
     /// Whether a variable stands behind a d: a letter, or a group behind `\dd`.

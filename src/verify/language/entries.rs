@@ -22,6 +22,10 @@ pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
         let Statement::Is { subjects, what } = statement else {
             return vec![];
         };
+        // "the other entries": besides those on the diagonal.
+        if what.head == "entry" && subjects.len() > 1 {
+            what.adjectives.retain(|said| *said != "other");
+        }
         let [Term::Formula(formula)] = subjects.as_slice() else {
             return vec![];
         };

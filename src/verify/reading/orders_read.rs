@@ -1,13 +1,17 @@
 //! What is small, and to which order lines hold in it.
 
 use crate::algebra::{Fraction, Variable};
+use crate::notation::ast::Kind;
 use crate::verify::facts::small::Small;
 use crate::verify::language::heads::DISTURBANCE;
-use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{node_of, reach_of};
-use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::labels::plain;
+use crate::verify::term::letters::{Meaning, spell, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 use num_traits::Zero;
@@ -24,6 +28,7 @@ impl Builder<'_> {
             DISTURBANCE => what.slots.is_empty(),
             "function" => what.slots.iter().all(|(_, of)| time(of)),
             "right-handed" => true,
+            "transpose" => formulas(subjects).all(|f| is_written_transpose(f, what)),
             // A sign that is left open is one of the two.
             "sign" => formulas(subjects).all(|f| matches!(f.source.trim(), "\\pm" | "\\mp")),
             "small" => subjects.iter().all(|s| self.is_of_told_order(s)),
@@ -118,5 +123,25 @@ impl Builder<'_> {
             self.reading.sizes.remainders.push(remainder);
         }
         Some(())
+    }
+}
+
+/// "`$A^T$` is the transpose of `$A$`".
+fn is_written_transpose(formula: &Formula, what: &NounPhrase) -> bool {
+    let (Some(written), Some(Term::Formula(of))) = (node_of(formula), what.slot(Slot::Of)) else {
+        return false;
+    };
+    let Some(of) = node_of(of) else {
+        return false;
+    };
+    match &written.kind {
+        Kind::Transpose(inner) => spelled(inner) == spelled(of),
+        Kind::Symbol(symbol) => {
+            let mut own = symbol.clone();
+            let raised = own.superscripts.pop();
+            let mark = raised.is_some_and(|label| ["T", "top"].contains(&plain(&label).as_str()));
+            mark && spell(&own, true) == spelled(of)
+        }
+        _ => false,
     }
 }
