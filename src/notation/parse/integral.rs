@@ -170,8 +170,12 @@ impl Parser<'_, '_> {
         None
     }
 
-    /// `{dV}`: braces around nothing but a differential.
+    /// `{dV}`: braces around nothing but a differential, and no label.
     fn is_braced_differential(&self, at: usize) -> bool {
+        let before = at.checked_sub(1).map(|before| self.tokens[before].kind);
+        if matches!(before, Some(Lexeme::Subscript | Lexeme::Superscript)) {
+            return false;
+        }
         let Some(inside) = self
             .tokens
             .get(at + 1..)

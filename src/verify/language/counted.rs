@@ -23,13 +23,31 @@ const LAID: [&str; 2] = ["lie", "point"];
 struct Counted {
     noun: &'static str,
     count: usize,
+    /// Their names, where sentences tell of so many by letters: "motor `$f$`".
+    lettered: Vec<Term>,
     /// What the sentence that counts them says of each.
     what: Option<NounPhrase>,
 }
 
 impl Counted {
     fn names(&self) -> impl Iterator<Item = Term> + '_ {
-        (1..=self.count).map(|number| Term::Name(format!("{} {number}", self.noun)))
+        let own = |number: usize| self.lettered.get(number - 1).cloned();
+        let numbered = |number| Term::Name(format!("{} {number}", self.noun));
+        (1..=self.count).map(move |number| own(number).unwrap_or_else(|| numbered(number)))
+    }
+
+    /// "motor `$f$`" by its name.
+    fn name_members(&self, term: &mut Term) {
+        match term {
+            Term::Member { family, index } if *family == self.noun => {
+                *term = Term::Name(format!("{family} {}", index.source));
+            }
+            Term::Phrase(phrase) => {
+                let inner = phrase.slots.iter_mut();
+                inner.for_each(|(_, term)| self.name_members(term));
+            }
+            _ => {}
+        }
     }
 
     /// "the particles", where these are meant.
@@ -57,6 +75,12 @@ pub(crate) fn number_counted(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(told);
+    for own in all.iter().filter(|own| !own.lettered.is_empty()) {
+        let terms = declarations
+            .iter_mut()
+            .flat_map(|d| d.statement.terms_mut());
+        terms.for_each(|term| own.name_members(term));
+    }
 }
 
 /// "Rod 1 and rod 2 lie along the axes x and y with their middles at G": each along its own, with its own middle there.
@@ -157,26 +181,40 @@ fn counted(part: &Term, declarations: &[Declaration]) -> Option<Counted> {
             is_body(part.head).then_some(Counted {
                 noun: part.head,
                 count,
+                lettered: vec![],
                 what: Some(what),
             })?
         }
         Term::Name(many) => Counted {
             noun: super::body_noun(many.strip_suffix('s')?)?,
             count: declarations.iter().find_map(|d| count_of(many, d))?,
+            lettered: vec![],
             what: None,
         },
         _ => return None,
     };
-    let terms = declarations.iter().flat_map(|d| d.statement.terms());
-    let mut families = terms.filter_map(|term| match term {
-        // "particle 1" is one of those that are counted.
-        Term::Member { family, index } => {
-            let number = index.source.chars().all(|c| c.is_ascii_digit());
-            Some(family).filter(|_| !number)
+    let letters = letters_of_members(found.noun, declarations);
+    if letters.is_empty() {
+        return Some(found);
+    }
+    let name = |letter: &String| Term::Name(format!("{} {letter}", found.noun));
+    let lettered = letters.iter().map(name).collect();
+    (letters.len() == found.count).then_some(Counted { lettered, ..found })
+}
+
+/// The letters behind a noun, each once: "motor `$f$`". "Particle 1" is one of those that are counted.
+fn letters_of_members(noun: &str, declarations: &[Declaration]) -> Vec<String> {
+    let mut letters: Vec<String> = vec![];
+    for term in declarations.iter().flat_map(|d| d.statement.terms()) {
+        if let Term::Member { family, index } = term
+            && family == noun
+            && !index.source.chars().all(|c| c.is_ascii_digit())
+            && !letters.contains(&index.source)
+        {
+            letters.push(index.source.clone());
         }
-        _ => None,
-    });
-    (!families.any(|family| family == found.noun)).then_some(found)
+    }
+    letters
 }
 
 /// Of how many things a sentence tells where each of them lies: "the rods lie along the axes x and y".
