@@ -203,6 +203,16 @@ impl<'t, 'a> Parser<'t, 'a> {
             let node = self.inside(tokens).whole();
             return self.scripts(node, start);
         }
+        // `\mathrm{\dot q}`: the dot stands over an upright letter.
+        let dotted =
+            |token: &Token<'_>| matches!(token.kind, Lexeme::Command(name) if dots(name).is_some());
+        if tokens.first().is_some_and(dotted) {
+            let mut node = self.inside(tokens).whole();
+            if let Some(symbol) = super::script::symbol_of(&mut node) {
+                apply(&mut symbol.style, Mark::Upright);
+            }
+            return self.scripts(node, start);
+        }
         self.upright(word, start)
     }
 }
