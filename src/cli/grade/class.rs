@@ -1,6 +1,6 @@
 //! Marks all submissions of a folder and writes what comes of it.
 
-use crate::cli::grade::folder::{self, Pending};
+use crate::cli::grade::folder::{HandedIn, Pending};
 use crate::cli::grade::journal::{self, Journal, Place, Students, digest, parts};
 use crate::cli::grade::names::{Naming, file_stem};
 use crate::cli::grade::roster::Roster;
@@ -69,10 +69,11 @@ pub(super) fn failed(path: &Path, error: &dyn Display) -> String {
 impl Class<'_> {
     /// Marks all submissions.
     pub(super) fn mark(&self, submissions: &Path, threads: Option<u16>) -> Result<Count, String> {
-        let pending = self.pending(submissions)?;
+        let handed_in = self.handed_in(submissions)?;
         let path = self.out.join("journal.jsonl");
-        let students = self.marked(&pending, &path, threads)?;
-        let missing = self.missing(pending.iter().map(|one| one.id.as_str()));
+        let students = self.marked(&handed_in, Part { number: 1, of: 1 }, &path, threads)?;
+        let missing = self.missing(handed_in.ids());
+        drop(handed_in);
         self.finish(&students, missing.as_deref())
     }
 
@@ -83,14 +84,11 @@ impl Class<'_> {
         part: Part,
         threads: Option<u16>,
     ) -> Result<Count, String> {
-        let pending = self.pending(submissions)?;
-        let own = pending.into_iter().enumerate();
-        let own = own.filter(|(at, _)| at % part.of == part.number - 1);
-        let own: Vec<Pending> = own.map(|(_, pending)| pending).collect();
+        let handed_in = self.handed_in(submissions)?;
         let path = self
             .out
             .join(format!("part-{}-of-{}.jsonl", part.number, part.of));
-        let students = self.marked(&own, &path, threads)?;
+        let students = self.marked(&handed_in, part, &path, threads)?;
         journal::end(&path, self.stamp(), students.len())
             .and_then(|()| students.show(|all| Ok(all.filter(|s| s.queue.is_some()).count())))
             .map_err(|error| failed(&path, &error))
@@ -116,21 +114,18 @@ impl Class<'_> {
             journals.push(journal);
         }
         let (students, ids) = Students::of_parts(journals.into_iter(), self.out)?;
-        let missing = self.missing(ids.iter().map(String::as_str));
+        let missing = self.missing(ids.into_iter());
         self.finish(&students, missing.as_deref())
     }
 
-    fn pending(&self, submissions: &Path) -> Result<Vec<Pending>, String> {
-        let pending = folder::pending(submissions, &self.naming);
-        let mut pending = pending.map_err(|error| failed(submissions, &error))?;
-        if pending.is_empty() {
+    fn handed_in(&self, submissions: &Path) -> Result<HandedIn<'_>, String> {
+        let found = HandedIn::find(submissions, &self.naming);
+        let found = found.map_err(|error| failed(submissions, &error))?;
+        if found.len() == 0 {
             return Err(failed(submissions, &"there is nothing in it to mark"));
         }
-        if let Some(roster) = &self.roster {
-            roster.mark_unknown(&mut pending);
-        }
         fs::create_dir_all(self.out).map_err(|error| failed(self.out, &error))?;
-        Ok(pending)
+        Ok(found)
     }
 
     /// What results depend on beside the submissions.
@@ -143,11 +138,12 @@ impl Class<'_> {
         )
     }
 
-    /// Marks each submission, several at a time; what breaks down hurts no other. In the order of their ids, as which they
-    /// stand in the journal too when all are marked.
+    /// Marks each submission of a part, several at a time; what breaks down hurts no other. In the order of their ids, as
+    /// which they stand in the journal too when all are marked.
     fn marked(
         &self,
-        pending: &[Pending],
+        handed_in: &HandedIn<'_>,
+        part: Part,
         path: &Path,
         threads: Option<u16>,
     ) -> Result<Students, String> {
@@ -157,8 +153,10 @@ impl Class<'_> {
             .stack_size(STACK)
             .build()
             .map_err(|error| error.to_string())?;
+        let first = part.number - 1;
+        let all = (handed_in.len() + part.of - 1).saturating_sub(first) / part.of;
         let target = ProgressDrawTarget::stderr();
-        let bar = ProgressBar::with_draw_target(Some(pending.len() as u64), target);
+        let bar = ProgressBar::with_draw_target(Some(all as u64), target);
         // A key keeps notes while it is read: each thread has one of its own.
         let own = self.key.clone();
         let marking = Marking {
@@ -167,11 +165,16 @@ impl Class<'_> {
             answers: self.answers.as_deref(),
             journal,
         };
+        let roster = self.roster.as_ref();
         let hook = panic::take_hook();
         panic::set_hook(Box::new(|_| {}));
         let places = pool.install(|| {
-            let each = pending.par_iter().map_with(own, |key, one| {
-                let place = marking.mark(key, one)?;
+            let each = (0..all).into_par_iter().map_with(own, |key, at| {
+                let mut one = handed_in.student(first + at * part.of);
+                if let Some(roster) = roster {
+                    roster.mark_unknown(&mut one);
+                }
+                let place = marking.mark(key, &one)?;
                 bar.inc(1);
                 Ok(place)
             });
@@ -185,7 +188,7 @@ impl Class<'_> {
     }
 
     /// Who is on the roster and handed in nothing; none where there is no roster.
-    fn missing<'s>(&self, ids: impl Iterator<Item = &'s str>) -> Option<Vec<String>> {
+    fn missing(&self, ids: impl Iterator<Item = String>) -> Option<Vec<String>> {
         self.roster.as_ref().map(|roster| roster.missing(ids))
     }
 }

@@ -6,7 +6,8 @@ use crate::cli::grade::archive::Packed;
 use crate::cli::grade::intake::{Intake, MOST_FILES, is_archive};
 use crate::cli::grade::names::{Naming, shown};
 use crate::grade::Work;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::{OsStr, OsString};
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -38,105 +39,212 @@ pub(super) struct Pending {
     pieces: Vec<Piece>,
     /// What is wrong with how it was handed in.
     troubles: Vec<String>,
-    /// The names that stand for the student.
-    names: Vec<String>,
 }
 
-/// The submissions of a folder or of an archive, in the order of their ids. Names that begin with a dot are left out.
-pub(super) fn pending(path: &Path, naming: &Naming) -> io::Result<Vec<Pending>> {
-    let mut found = Found {
-        naming,
-        students: BTreeMap::new(),
-    };
-    match fs::metadata(path)?.is_dir() {
-        true => found.in_folder(path)?,
-        false => found.in_archive(path)?,
-    }
-    found.tell_apart();
-    let students = found.students.into_values().map(|mut student| {
-        student.names = vec![];
-        student.pieces.shrink_to_fit();
-        student
-    });
-    Ok(students.collect())
+/// A name in the folder or in the archive of a class.
+#[derive(Debug)]
+struct Entry {
+    /// In an archive it is the path of a member.
+    name: Box<OsStr>,
+    kind: EntryKind,
 }
 
-/// The students found so far.
-struct Found<'n> {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum EntryKind {
+    File,
+    Folder,
+    /// A member of the archive, by its number.
+    Member(u32),
+}
+
+/// Where the submissions of a class stand.
+#[derive(Debug)]
+enum Place {
+    Folder(PathBuf),
+    /// An archive, with what is wrong with members of it.
+    Archive(Arc<Packed>, BTreeMap<u32, String>),
+}
+
+/// The submissions of a class, in the order of their ids. Only names are kept of them: a class of any size takes little
+/// memory, and what stands for a student is looked up when it is that student's turn.
+#[derive(Debug)]
+pub(super) struct HandedIn<'n> {
     naming: &'n Naming,
-    students: BTreeMap<String, Pending>,
+    place: Place,
+    /// By their ids; those of one student in the order of names.
+    entries: Vec<Entry>,
+    /// The first entry of each student.
+    students: Vec<u32>,
+    /// Ids in small letters that several students have.
+    alike: BTreeSet<String>,
 }
 
-impl Found<'_> {
-    fn in_folder(&mut self, folder: &Path) -> io::Result<()> {
-        let mut entries = fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
-        entries.sort_by_key(fs::DirEntry::file_name);
-        for entry in entries {
-            let name = entry.file_name();
-            if name.as_encoded_bytes().starts_with(b".") {
-                continue;
-            }
-            let is_folder = fs::symlink_metadata(entry.path())?.is_dir();
-            let text = name.to_string_lossy();
-            let student = self.student(&text, is_folder);
-            if name.to_str().is_none() {
-                student.complain("its name is not UTF-8".to_owned());
-            }
-            student.add(&entry.path(), &text, 0);
-        }
-        Ok(())
+impl<'n> HandedIn<'n> {
+    /// The submissions of a folder or of an archive. Names that begin with a dot are left out.
+    pub(super) fn find(path: &Path, naming: &'n Naming) -> io::Result<Self> {
+        let (place, entries) = match fs::metadata(path)?.is_dir() {
+            true => (Place::Folder(path.to_owned()), entries_of_folder(path)?),
+            false => entries_of_archive(path)?,
+        };
+        let mut found = Self {
+            naming,
+            place,
+            entries,
+            students: vec![],
+            alike: BTreeSet::new(),
+        };
+        found.sort();
+        Ok(found)
     }
 
-    /// Each member stands with the student whose name its path begins with.
-    fn in_archive(&mut self, path: &Path) -> io::Result<()> {
-        let packed = Arc::new(Packed::open(path)?);
-        for member in packed.members()? {
-            let (student, inside) = match member.path.split_once('/') {
-                Some((student, inside)) => (self.student(student, true), inside),
-                None => (self.student(&member.path, false), member.path.as_str()),
-            };
-            match member.trouble {
-                Some(trouble) => student.complain(format!("{} {trouble}", shown(inside))),
-                None => student.pieces.push(Piece {
-                    name: shown(inside),
-                    content: Content::Packed(Arc::clone(&packed), member.number),
-                }),
+    /// Sorts the entries by ids and notes where each student begins. Students whose ids differ in capitals alone are one to
+    /// some systems and platforms.
+    fn sort(&mut self) {
+        let (naming, mut entries) = (self.naming, std::mem::take(&mut self.entries));
+        entries.sort_by(|a, b| a.name.cmp(&b.name));
+        entries.sort_by_cached_key(|entry| entry.id(naming).0);
+        entries.shrink_to_fit();
+        let mut last = None;
+        for (at, entry) in entries.iter().enumerate() {
+            let id = entry.id(naming).0;
+            if last.as_ref() != Some(&id) {
+                self.students.push(at as u32);
+                last = Some(id);
             }
         }
-        Ok(())
+        self.entries = entries;
+        let ids = (0..self.len()).map(|at| self.id(at).to_lowercase());
+        let mut ids: Vec<String> = ids.collect();
+        ids.sort_unstable();
+        let alike = ids.windows(2).filter(|two| two[0] == two[1]);
+        self.alike = alike.map(|two| two[0].clone()).collect();
     }
 
-    /// Sends to a person the students whose ids differ in capitals alone: to some systems and platforms they are one.
-    fn tell_apart(&mut self) {
-        let mut alike: BTreeMap<String, usize> = BTreeMap::new();
-        for id in self.students.keys() {
-            *alike.entry(id.to_lowercase()).or_default() += 1;
-        }
-        for (id, student) in &mut self.students {
-            if alike.get(&id.to_lowercase()).is_some_and(|&ids| ids > 1) {
-                student.complain("another id differs from this one in capitals alone".to_owned());
-            }
-        }
+    /// How many students there are.
+    pub(super) fn len(&self) -> usize {
+        self.students.len()
     }
 
-    /// The student for whom a name stands.
-    fn student(&mut self, name: &str, is_folder: bool) -> &mut Pending {
-        let (id, trouble) = self.naming.id(name, is_folder);
-        let student = self.students.entry(id.clone()).or_insert_with(|| Pending {
-            id,
+    fn entries_of(&self, student: usize) -> &[Entry] {
+        let begins = |at: usize| self.students.get(at).map(|&at| at as usize);
+        let end = begins(student + 1).unwrap_or(self.entries.len());
+        &self.entries[begins(student).unwrap_or(end)..end]
+    }
+
+    fn id(&self, student: usize) -> String {
+        let first = self.entries_of(student).first();
+        first.map_or(String::new(), |entry| entry.id(self.naming).0)
+    }
+
+    /// The ids of all students, in their order.
+    pub(super) fn ids(&self) -> impl Iterator<Item = String> {
+        (0..self.len()).map(|at| self.id(at))
+    }
+
+    /// What a student hands in, by the place among all students.
+    pub(super) fn student(&self, at: usize) -> Pending {
+        let mut student = Pending {
+            id: self.id(at),
             ..Pending::default()
-        });
-        if !student.names.iter().any(|known| known == name) {
-            if !student.names.is_empty() && !self.naming.joins() {
-                student.complain("several files or folders have this id".to_owned());
+        };
+        let mut last: Option<String> = None;
+        for entry in self.entries_of(at) {
+            let text = entry.name.to_string_lossy();
+            let name = entry.of_student(&text);
+            if last.as_deref() != Some(name) {
+                if last.is_some() && !self.naming.joins() {
+                    student.complain("several files or folders have this id".to_owned());
+                }
+                let trouble = entry.id(self.naming).1;
+                trouble
+                    .into_iter()
+                    .for_each(|trouble| student.complain(trouble));
+                last = Some(name.to_owned());
             }
-            student.names.push(name.to_owned());
-            trouble
-                .into_iter()
-                .for_each(|trouble| student.complain(trouble));
+            self.add(entry, &text, &mut student);
+        }
+        if self.alike.contains(&student.id.to_lowercase()) {
+            student.complain("another id differs from this one in capitals alone".to_owned());
         }
         student
     }
+
+    /// Adds the pieces that an entry stands for.
+    fn add(&self, entry: &Entry, text: &str, to: &mut Pending) {
+        match (&self.place, entry.kind) {
+            (Place::Folder(folder), EntryKind::File | EntryKind::Folder) => {
+                if entry.name.to_str().is_none() {
+                    to.complain("its name is not UTF-8".to_owned());
+                }
+                to.add(&folder.join(&*entry.name), text, 0);
+            }
+            (Place::Archive(packed, troubles), EntryKind::Member(number)) => {
+                let inside = text.split_once('/').map_or(text, |(_, inside)| inside);
+                match troubles.get(&number) {
+                    Some(trouble) => to.complain(format!("{} {trouble}", shown(inside))),
+                    None => to.pieces.push(Piece {
+                        name: shown(inside),
+                        content: Content::Packed(Arc::clone(packed), number as usize),
+                    }),
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Entry {
+    /// The id of the student for whom it stands, and what is wrong with its name.
+    fn id(&self, naming: &Naming) -> (String, Option<String>) {
+        let text = self.name.to_string_lossy();
+        let is_folder = match self.kind {
+            EntryKind::File => false,
+            EntryKind::Folder => true,
+            EntryKind::Member(_) => text.contains('/'),
+        };
+        naming.id(self.of_student(&text), is_folder)
+    }
+
+    /// The part of its name that stands for the student: of a path in an archive, the first.
+    fn of_student<'t>(&self, text: &'t str) -> &'t str {
+        match self.kind {
+            EntryKind::Member(_) => text.split_once('/').map_or(text, |(student, _)| student),
+            _ => text,
+        }
+    }
+}
+
+fn entries_of_folder(folder: &Path) -> io::Result<Vec<Entry>> {
+    let mut entries = vec![];
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        if name.as_encoded_bytes().starts_with(b".") {
+            continue;
+        }
+        let kind = match entry.file_type()?.is_dir() {
+            true => EntryKind::Folder,
+            false => EntryKind::File,
+        };
+        let name = name.into_boxed_os_str();
+        entries.push(Entry { name, kind });
+    }
+    Ok(entries)
+}
+
+/// Each member stands with the student whose name its path begins with.
+fn entries_of_archive(path: &Path) -> io::Result<(Place, Vec<Entry>)> {
+    let packed = Packed::open(path)?;
+    let (mut entries, mut troubles) = (vec![], BTreeMap::new());
+    for member in packed.members()? {
+        let number = u32::try_from(member.number).map_err(io::Error::other)?;
+        troubles.extend(member.trouble.map(|trouble| (number, trouble)));
+        entries.push(Entry {
+            name: OsString::from(member.path).into_boxed_os_str(),
+            kind: EntryKind::Member(number),
+        });
+    }
+    Ok((Place::Archive(Arc::new(packed), troubles), entries))
 }
 
 impl Pending {

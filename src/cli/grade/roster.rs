@@ -55,16 +55,20 @@ impl Roster {
         }
     }
 
-    /// Sends those who are not on the roster to a person.
-    pub(super) fn mark_unknown(&self, pending: &mut [Pending]) {
-        let unknown = pending.iter_mut().filter(|one| !self.ids.contains(&one.id));
-        unknown.for_each(|one| one.complain("this id is not on the roster".to_owned()));
+    /// Sends a student who is not on the roster to a person.
+    pub(super) fn mark_unknown(&self, one: &mut Pending) {
+        if !self.ids.contains(&one.id) {
+            one.complain("this id is not on the roster".to_owned());
+        }
     }
 
-    /// The ids of whom nothing is there.
-    pub(super) fn missing<'s>(&self, students: impl Iterator<Item = &'s str>) -> Vec<String> {
-        let known: BTreeSet<&str> = students.collect();
-        let missing = self.ids.iter().filter(|id| !known.contains(id.as_str()));
+    /// The ids of whom nothing is there. The students come in the order of their ids.
+    pub(super) fn missing(&self, students: impl Iterator<Item = String>) -> Vec<String> {
+        let mut students = students.peekable();
+        let missing = self.ids.iter().filter(|id| {
+            while students.next_if(|known| known < *id).is_some() {}
+            students.peek() != Some(*id)
+        });
         missing.cloned().collect()
     }
 }
