@@ -245,6 +245,14 @@ impl<'a> Board<'a> {
         (follow || whole).then_some(follow)
     }
 
+    /// Whether it can be seen without working it out that a line and its rates do not say this.
+    pub(super) fn is_far_from(&self, entry: &Entry, goal: &Part) -> bool {
+        match entry.parts.as_deref() {
+            Some([one]) => self.apart.is_far_from(&one.residual, &goal.residual),
+            _ => false,
+        }
+    }
+
     /// What laws say of the quantities of the key, as a line would.
     pub(super) fn laws(&self) -> Entry {
         let laws = self.laws.iter();

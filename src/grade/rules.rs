@@ -334,9 +334,17 @@ impl<'a> Marker<'a> {
                 told.push(self.board.key[at].clone());
             }
         }
-        let goal = std::slice::from_ref(part);
-        if told.is_empty() || self.board.say_together(&told, goal) == Some(true) {
+        if told.is_empty() {
             return false;
+        }
+        // What holds anyway adds nothing.
+        told.retain(|told| told.components().iter().any(Part::says_something));
+        let goal = std::slice::from_ref(part);
+        match told.as_slice() {
+            [] if self.board.is_far_from(entry, part) => return false,
+            [] => {}
+            told if self.board.say_together(told, goal) == Some(true) => return false,
+            _ => {}
         }
         let from: Vec<Entry> = told.into_iter().chain([entry.clone()]).collect();
         self.board.say_together(&from, goal) == Some(true)

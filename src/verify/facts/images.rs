@@ -57,6 +57,13 @@ impl Facts {
         found.then_some(()).ok_or(OutOfBudget)
     }
 
+    /// Whether neither a rule nor a law that counts here tells a variable.
+    pub(crate) fn is_untold(&self, atoms: &Atoms, variable: Variable) -> bool {
+        let law = atoms.atom(variable).law.as_ref();
+        let counts = law.is_some_and(|law| !self.lawless || NO_MECHANICS.contains(&law.name));
+        !counts && !self.rules.contains_key(&variable)
+    }
+
     /// What a rule, a law or the rate of a rule says of a variable, one step deep.
     pub(crate) fn told(&self, atoms: &mut Atoms, variable: Variable) -> Option<Fraction> {
         if let Some(rule) = self.rules.get(&variable) {

@@ -122,6 +122,11 @@ impl Facts {
         self.squares.get(&variable).map(|(_, rule)| rule)
     }
 
+    /// Whether no premise tells the square of a variable alone.
+    pub(crate) fn has_no_squares(&self) -> bool {
+        self.squares.is_empty()
+    }
+
     /// The square of a variable in free variables, where a premise tells it.
     pub(crate) fn free_square(&self, variable: Variable) -> Option<&Fraction> {
         self.squares.get(&variable).map(|(free, _)| free)

@@ -3,7 +3,7 @@
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::Extended;
-use crate::verify::model::atoms::{Atoms, Nature};
+use crate::verify::model::atoms::{Atoms, Motion, Nature};
 use crate::verify::standing::apart::Apart;
 use num_traits::Zero;
 
@@ -50,6 +50,47 @@ impl Apart<'_> {
         (untouched() || !divides())
             && !variables.iter().any(is_tied)
             && variables.iter().chain(&goal.variables()).all(is_free)
+    }
+
+    /// Whether it can be seen without working it out that an equation and its rates do not make a goal vanish.
+    ///
+    /// The equation is solved for a variable that stands alone in a term, and then that one and its rates are told and
+    /// nothing else: what it says of the rates of others is had from it by differentiating. So the goal stays as it is
+    /// where none of these is in it. One that is not solved may make vanish what is a multiple of it. Both are in free
+    /// variables already, and none of these is told by another.
+    pub(crate) fn is_far_from(&self, equation: &Fraction, goal: &Fraction) -> bool {
+        let own = equation.numerator();
+        if goal.is_zero() || own.is_constant().is_some() {
+            return false;
+        }
+        let atoms = &self.judge.reading.system.atoms;
+        if !is_plain(equation) {
+            if own.len() != goal.numerator().len() {
+                return true;
+            }
+            let [own, goal] = [own, goal.numerator()].map(|value| without_parameters(atoms, value));
+            return !is_multiple(&own, &goal);
+        }
+        let rates = |v: Variable| {
+            let rates = std::iter::successors(Some(v), |&v| atoms.known_rate(v));
+            rates.take(MOST_RATES)
+        };
+        let is_free = |v: Variable| {
+            let atom = atoms.atom(v);
+            let plain = matches!(atom.nature, Nature::Quantity | Nature::Unknown)
+                && !matches!(&atom.motion, Motion::Rate(rate) if rate.as_variable().is_none());
+            plain && atom.square.is_none() && rates(v).all(|v| self.facts.is_untold(atoms, v))
+        };
+        let in_goal = goal.variables();
+        let is_in_goal = |v: Variable| rates(v).any(|v| in_goal.contains(&v));
+        let lone = own.terms().iter().map(|(monomial, _)| monomial);
+        let lone = lone.filter(|monomial| monomial.degree() == 1);
+        let mut told = lone.flat_map(|monomial| monomial.powers());
+        let mut all = own.variables().into_iter().chain(in_goal.iter().copied());
+        !told.any(|(v, _)| is_in_goal(v))
+            && goal.is_polynomial()
+            && self.facts.has_no_squares()
+            && all.all(is_free)
     }
 
     /// Whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where
@@ -123,9 +164,9 @@ fn is_multiple(one: &Polynomial, other: &Polynomial) -> bool {
 
 /// Whether an equation says what one variable is, whatever the others are; or nothing at all.
 fn is_plain(equation: &Fraction) -> bool {
-    let value = equation.numerator();
-    let plain = |v: &Variable| {
-        value.degree_in(*v) == 1 && value.coefficient_of(*v, 1).is_constant().is_some()
-    };
-    value.is_constant().is_some() || value.variables().iter().any(plain)
+    let terms = equation.numerator().terms();
+    let others_have = |v: Variable| terms.iter().filter(|(m, _)| m.exponent(v) > 0).count() > 1;
+    let mut lone = terms.iter().filter(|(monomial, _)| monomial.degree() == 1);
+    let is_constant = equation.numerator().is_constant().is_some();
+    is_constant || lone.any(|(m, _)| m.powers().iter().any(|(v, _)| !others_have(*v)))
 }
