@@ -4,8 +4,9 @@ use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Format, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::Diagnosis;
+use crate::verify::correction::by_terms::Terms;
 use crate::verify::correction::edit::{Edit, edited};
-use crate::verify::correction::slips::{OTHER_LETTER, Slip, other_letters, slips};
+use crate::verify::correction::slips::{Change, OTHER_LETTER, Slip, other_letters, slips};
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::recalled::Correction;
 use crate::verify::standing::verdicts::Answer;
@@ -98,7 +99,11 @@ fn correction(
     let mut slips = likelier.into_iter().chain(others).chain(rest);
     let before = judge.stand_at(&judged.at);
     let mut tried = BTreeSet::new();
-    let found = slips.find_map(|Slip { edit, symbol }| {
+    let terms = match is_told_by_tree(document, line) {
+        true => Terms::of(judge, line),
+        false => None,
+    };
+    let found = slips.find_map(|Slip { edit, change }| {
         if tried.len() == MOST_TRIED || *left < cost {
             return None;
         }
@@ -108,8 +113,8 @@ fn correction(
             *left -= cost;
         }
         let holds = new
+            && may_hold(judge, line, terms.as_ref(), &edit, change.as_ref())
             && !says_nothing(&text)
-            && may_hold(judge, line, &edit, symbol.as_ref())
             && judge.follows_as(&text, judged.head, line);
         let cost = edit.cost;
         holds.then(|| (diagnosis(edit, &text), cost))
@@ -118,15 +123,27 @@ fn correction(
     found
 }
 
-/// Whether a changed line may hold. With another symbol in its tree that is told without reading it anew.
-fn may_hold(judge: &mut Judge<'_>, line: &Line, edit: &Edit, symbol: Option<&Symbol>) -> bool {
-    match symbol {
-        // In plain text what touches may be one word.
-        Some(symbol) if judge.document.format != Format::Text && !line.continues => {
+/// Whether a changed line may hold, as far as its tree tells that without reading it anew.
+fn may_hold(
+    judge: &mut Judge<'_>,
+    line: &Line,
+    terms: Option<&Terms<'_>>,
+    edit: &Edit,
+    change: Option<&Change>,
+) -> bool {
+    let told = terms.zip(change);
+    let told = told.and_then(|(terms, change)| terms.may_hold(judge, edit.span, change));
+    told.unwrap_or_else(|| match change {
+        Some(Change::Symbol(symbol)) if is_told_by_tree(judge.document, line) => {
             judge.may_follow_with(line, edit.span, symbol)
         }
         _ => true,
-    }
+    })
+}
+
+/// Whether a change to the text of a line is one to its tree at the same place: in plain text what touches may be one word.
+fn is_told_by_tree(document: &Document, line: &Line) -> bool {
+    document.format != Format::Text && !line.continues
 }
 
 /// How many terms a line has when its products are multiplied out.

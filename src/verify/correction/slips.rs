@@ -14,8 +14,20 @@ pub(super) const OTHER_LETTER: u32 = 26;
 /// A change that undoes a slip.
 pub(super) struct Slip {
     pub(super) edit: Edit,
-    /// The symbol that then stands in the place of another, where nothing else changes.
-    pub(super) symbol: Option<Symbol>,
+    /// What it does to the tree of the line, where that is told without reading it anew.
+    pub(super) change: Option<Change>,
+}
+
+/// What a change to the text of a line does to its tree.
+pub(super) enum Change {
+    /// Another symbol stands in the place of one.
+    Symbol(Symbol),
+    /// A symbol has a dot.
+    Dotted,
+    /// A symbol stands squared.
+    Squared,
+    /// A term or a side, which is the node with these bytes, is multiplied by a number: numerator and denominator.
+    Times(Span, [i64; 2]),
 }
 
 /// All single changes to a line but for other letters, the likeliest first.
@@ -58,7 +70,7 @@ pub(super) fn other_letters(
                 message: messages::should_be(text, other),
                 cost: OTHER_LETTER,
             },
-            symbol: Some((*symbol).clone()),
+            change: Some(Change::Symbol((*symbol).clone())),
         }));
     }
     in_order(line, found)
@@ -97,8 +109,15 @@ impl<'a> Slips<'a> {
                 message,
                 cost,
             },
-            symbol: None,
+            change: None,
         });
+    }
+
+    /// The slip that was found last does this to the tree.
+    fn by(&mut self, change: Change) {
+        if let Some(slip) = self.found.last_mut() {
+            slip.change = Some(change);
+        }
     }
 
     fn slice(&self, node: &Node) -> &'a str {
@@ -129,6 +148,7 @@ impl<'a> Slips<'a> {
             14,
             messages::HALF_MISSING,
         );
+        self.by(Change::Times(node.span, [1, 2]));
         self.push(
             node.span,
             format!("2 {whole}"),
@@ -138,6 +158,7 @@ impl<'a> Slips<'a> {
         );
         if last {
             self.push(node.span, format!("-{whole}"), "sign", 13, messages::SIGN);
+            self.by(Change::Times(node.span, [-1, 1]));
         }
     }
 
@@ -177,6 +198,7 @@ impl<'a> Slips<'a> {
                     self.push(term.sign, plus, "sign", 10, messages::SIGN);
                 }
             }
+            self.by(Change::Times(term.node.span, [-1, 1]));
             let half = if self.unicode {
                 "½ "
             } else {
@@ -184,6 +206,7 @@ impl<'a> Slips<'a> {
             };
             let before = term.node.span.before();
             self.push(before, half, "factor", 19, messages::HALF_MISSING);
+            self.by(Change::Times(term.node.span, [1, 2]));
             self.push(before, "2 ", "factor", 19, messages::TWO_MISSING);
             if written {
                 let whole = term.sign.to(term.node.span);
@@ -221,9 +244,11 @@ impl<'a> Slips<'a> {
             10,
             messages::DOT_MISSING,
         );
+        self.by(Change::Dotted);
         let square = if self.unicode { "²" } else { "^2" };
         let squared = format!("{text}{square}");
         self.push(node.span, squared, "factor", 22, messages::SQUARE_MISSING);
+        self.by(Change::Squared);
         let transpose = if self.unicode { "ᵀ" } else { "^T" };
         let transposed = format!("{text}{transpose}");
         self.push(
@@ -258,7 +283,7 @@ impl<'a> Slips<'a> {
                             message: messages::should_be(index, &new),
                             cost: 12,
                         },
-                        symbol: with_index(symbol, new),
+                        change: with_index(symbol, new).map(Change::Symbol),
                     });
                 }
             }

@@ -1,5 +1,6 @@
 //! A line that does not stand in the document, tried at a place of it.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Line, Node, Relation, Symbol};
 use crate::notation::document::Row;
 use crate::notation::reread;
@@ -10,6 +11,7 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::written::without_number;
 use crate::verify::term::letters::At;
 use num_traits::Zero;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 impl Judge<'_> {
@@ -56,6 +58,37 @@ impl Judge<'_> {
         }
     }
 
+    /// What is left of the difference of the two sides of a line that are numbers; `None` where that is not worked out, or
+    /// where a letter is new.
+    pub(crate) fn left_over(&mut self, line: &Line) -> Option<Fraction> {
+        if matches!(without_number(line), Cow::Owned(_)) {
+            return None;
+        }
+        let links = Chain::default().links(line);
+        let [link] = links.as_slice() else {
+            return None;
+        };
+        let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
+        if !equal || !self.small_here().is_empty() {
+            return None;
+        }
+        let worked_out = self.sides(link, &BTreeSet::new()).ok()?;
+        let known = worked_out.unknown.is_empty() && worked_out.sides.len() == 1;
+        let residuals = known.then(|| self.residuals(&worked_out.sides))?;
+        residuals.ok()?.pop()
+    }
+
+    /// A term by itself, in free variables; `None` where it is no number or a letter in it is new.
+    pub(crate) fn term(&mut self, node: &Node) -> Option<Fraction> {
+        let mut lowering = self.lowering();
+        let value = lowering.value(node).ok()?;
+        if !lowering.unknown.is_empty() || !value.is_scalar() {
+            return None;
+        }
+        let atoms = &mut self.reading.system.atoms;
+        self.facts.normal(atoms, value.entries.first()?).ok()
+    }
+
     fn all_follow(&mut self, line: &Line) -> bool {
         let links = Chain::default().links(&without_number(line));
         !links.is_empty() && links.iter().all(|link| self.follows(link))
@@ -83,7 +116,7 @@ impl Judge<'_> {
     }
 
     /// Whether every left side is zero, and none is written so on the right.
-    fn vanishes(&mut self, sides: &[(crate::algebra::Fraction, crate::algebra::Fraction)]) -> bool {
+    fn vanishes(&mut self, sides: &[(Fraction, Fraction)]) -> bool {
         let written = sides
             .iter()
             .all(|(left, right)| left.is_zero() || right.is_zero());
