@@ -237,6 +237,7 @@ impl Shared {
             prepared.work_out();
             let own = OwnLetters::of(&self.bare, &mut prepared.reading, &mut prepared.known);
             let own = Arc::new(own);
+            prepared.known.share(&prepared.reading.system);
             if readings.len() < MOST_READINGS {
                 readings.push(Read {
                     prepared: prepared.clone(),

@@ -125,7 +125,9 @@ impl<'a> Apart<'a> {
         reading.system.set_dimensions(3);
         known.work_out(&reading.letters, &mut reading.system);
         self.settle(definitions);
-        let uniform = self.judge.reading.letters.is_uniform();
+        let reading = &self.judge.reading;
+        self.judge.known.share(&reading.system);
+        let uniform = reading.letters.is_uniform();
         let prepared = Prepared {
             reading: self.judge.reading,
             known: self.judge.known,
@@ -142,14 +144,19 @@ impl<'a> Apart<'a> {
     /// What each line of a document says, with products of inertia as entries or as integrals. A line of running text
     /// that only names an instant says nothing.
     pub(crate) fn lines(&mut self, document: &'a Document, entries: bool) -> Vec<Said> {
-        self.judge.reading.letters.customs.integrals = !entries;
+        let customs = &mut self.judge.reading.letters.customs;
+        let same_customs = customs.integrals != entries;
+        customs.integrals = !entries;
         self.judge.document = document;
         self.judge.chain = Chain::default();
         self.judge.words.headings = Headings::default();
         self.judge.at = At::default();
         let written = written_symbols(document);
         self.judge.reading.letters.written.replace(written);
-        self.judge.known.forget_symbols();
+        match same_customs {
+            true => self.judge.known.forget_what_hangs_on_writing(),
+            false => self.judge.known.forget_symbols(),
+        }
         let mut said = vec![];
         for item in &document.items {
             match item {

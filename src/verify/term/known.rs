@@ -1,5 +1,6 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Factor, Kind, Node, Shape as Tree, Symbol};
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
@@ -10,6 +11,7 @@ use crate::verify::term::value::{AT_INSTANT, Shape, Value, Valued, beyond};
 use foldhash::HashMap;
 use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// No more products are kept; then all of them are forgotten.
 const MOST_PRODUCTS: usize = 1_000;
@@ -21,6 +23,15 @@ struct KnownValue {
     frames: BTreeSet<FrameId>,
     /// Whether it hangs on what else the document writes.
     by_written: bool,
+}
+
+/// Values of products for many documents that begin with the same variables.
+#[derive(Clone, Debug)]
+struct Common {
+    products: Arc<Mutex<HashMap<Vec<u8>, KnownValue>>>,
+    /// How many variables they begin with, and how much of everything else.
+    first: usize,
+    extent: [usize; 8],
 }
 
 /// What letters are, as far as it was asked for. It holds for one system.
@@ -35,6 +46,7 @@ pub(crate) struct Known {
     symbols: HashMap<Symbol, KnownValue>,
     /// The same of products of such symbols that are scalars, by their trees.
     products: HashMap<Vec<u8>, KnownValue>,
+    common: Option<Common>,
     /// Values at other instants than the present one, and integrals from there.
     pub(crate) kept: Vec<Kept>,
     /// How many dimensions space has where they were worked out.
@@ -73,6 +85,22 @@ impl Known {
     pub(crate) fn forget_symbols(&mut self) {
         self.symbols.clear();
         self.products.clear();
+        self.common = None;
+    }
+
+    /// From here on many documents go on: what they find of products in these variables alone is kept for the others.
+    pub(crate) fn share(&mut self, system: &System) {
+        self.common = Some(Common {
+            products: Arc::default(),
+            first: system.atoms.len(),
+            extent: system.extent(),
+        });
+    }
+
+    /// As [`Known::forget_symbols`] for another document of those that go on from the same.
+    pub(crate) fn forget_what_hangs_on_writing(&mut self) {
+        self.symbols.retain(|_, known| !known.by_written);
+        self.products.retain(|_, known| !known.by_written);
     }
 
     /// Whether something is a number, or a symbol or its rate that was found to be a scalar.
@@ -148,20 +176,30 @@ impl Lowering<'_> {
 
     /// The value of a product; one of scalars that are the same on every line is worked out once.
     pub(super) fn product_of(&mut self, node: &Node, factors: &[Factor]) -> Valued {
-        let scalars = || factors.iter().all(|f| self.known.is_scalar(&f.node));
         let mut tree = Tree::default();
-        if !self.means_the_same() || !scalars() || tree.tree(node).is_none() {
+        if !self.means_the_same() || tree.tree(node).is_none() {
             return self.product(factors);
         }
         let tree = tree.into_bytes();
+        if let Some(known) = self.common_product(&tree) {
+            self.frames_seen.extend(&known.frames);
+            return Ok(known.value);
+        }
+        if !factors.iter().all(|f| self.known.is_scalar(&f.node)) {
+            return self.product(factors);
+        }
         if let Some(known) = self.known.products.get(&tree) {
             let value = known.value.clone();
             self.frames_seen.extend(&known.frames);
             self.note(known.by_written);
             return Ok(value);
         }
+        let before = self.system.atoms.len();
         let (value, known) = self.by_itself(|own| own.product(factors));
         if let Some(known) = known {
+            if self.system.atoms.len() == before {
+                self.keep_in_common(&tree, &known);
+            }
             let products = &mut self.known.products;
             if products.len() >= MOST_PRODUCTS {
                 products.clear();
@@ -169,6 +207,34 @@ impl Lowering<'_> {
             products.insert(tree, known);
         }
         value
+    }
+
+    /// The value of a product that another document had.
+    fn common_product(&self, tree: &[u8]) -> Option<KnownValue> {
+        let common = self.known.common.as_ref()?;
+        let products = common.products.lock();
+        // Nothing in it is ever half done.
+        let products = products.unwrap_or_else(PoisonError::into_inner);
+        products.get(tree).cloned()
+    }
+
+    /// Keeps the value of a product for other documents, if it is the same in each.
+    fn keep_in_common(&self, tree: &[u8], known: &KnownValue) {
+        let Some(common) = &self.known.common else {
+            return;
+        };
+        let mut variables = known.value.entries.iter().flat_map(Fraction::variables);
+        let is_same = variables.all(|variable| (variable as usize) < common.first)
+            && !known.by_written
+            && self.system.extent() == common.extent;
+        if is_same {
+            let products = common.products.lock();
+            let mut products = products.unwrap_or_else(PoisonError::into_inner);
+            if products.len() >= MOST_PRODUCTS {
+                products.clear();
+            }
+            products.insert(tree.to_vec(), known.clone());
+        }
     }
 
     /// What is known of something hangs on what else the document writes.
