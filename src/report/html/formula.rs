@@ -2,6 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::{Parser, RenderConfig, Storage, config::DisplayMode, push_mathml};
+use roxmltree::Document as Tree;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::panic::catch_unwind;
@@ -74,22 +75,16 @@ const ATTRIBUTES: [&str; 27] = [
 
 /// Draws a formula in a line of its own; a long one in pieces, so that it goes on in the next line of a narrow page.
 pub(in crate::report) fn formula(source: &str) -> Markup {
-    let source = bare(source);
-    match drawn(source, DisplayMode::Block) {
-        Some(drawn) => match pieces(&drawn).as_slice() {
-            [] | [_] => html! { (PreEscaped(&drawn)) },
-            pieces => html! {
-                @for piece in pieces { math displaystyle="true" { (PreEscaped(piece)) } wbr; }
-            },
-        },
-        None => html! { code { (source) } },
-    }
+    shown(bare(source), DisplayMode::Block)
 }
 
 /// Draws a formula inside a text.
 pub(super) fn inline(source: &str) -> Markup {
-    let source = bare(source);
-    match drawn(source, DisplayMode::Inline) {
+    shown(bare(source), DisplayMode::Inline)
+}
+
+fn shown(source: &str, mode: DisplayMode) -> Markup {
+    match drawn(source, mode) {
         Some(drawn) => html! { (PreEscaped(drawn)) },
         None => html! { code { (source) } },
     }
@@ -113,11 +108,21 @@ const SHORT: usize = 12;
 const RELATIONS: [&str; 6] = ["=", "≡", "≈", "≠", "≤", "≥"];
 const SIGNS: [&str; 3] = ["+", "−", "±"];
 
+/// A drawn formula in pieces, between which a line may end.
+fn in_pieces(drawn: String, tree: &Tree<'_>) -> String {
+    match pieces(&drawn, tree).as_slice() {
+        [] | [_] => drawn,
+        pieces => {
+            let pieces = html! {
+                @for piece in pieces { math displaystyle="true" { (PreEscaped(piece)) } wbr; }
+            };
+            pieces.into_string()
+        }
+    }
+}
+
 /// A drawn formula, parted before its relations and signs outside of brackets.
-fn pieces(drawn: &str) -> Vec<String> {
-    let Ok(tree) = roxmltree::Document::parse(drawn) else {
-        return vec![];
-    };
+fn pieces(drawn: &str, tree: &Tree<'_>) -> Vec<String> {
     let parts: Vec<_> = tree.root_element().children().collect();
     let mut pieces: Vec<String> = vec![String::new()];
     if parts.len() < SHORT {
@@ -187,8 +192,12 @@ fn draw(source: &str, mode: DisplayMode) -> Option<String> {
         push_mathml(&mut drawn, events, config).ok()?;
         Some(drawn)
     });
-    let drawn = drawn.ok().flatten().map(|drawn| mended(&drawn));
-    drawn.filter(|drawn| is_harmless(drawn))
+    let drawn = mended(drawn.ok().flatten()?);
+    let tree = Tree::parse(&drawn).ok().filter(is_harmless)?;
+    Some(match mode {
+        DisplayMode::Block => in_pieces(drawn.clone(), &tree),
+        DisplayMode::Inline => drawn,
+    })
 }
 
 /// A source without the marks that align its row with others; those of a matrix in it part its cells.
@@ -244,12 +253,14 @@ const MENDED: [(&str, &str); 10] = [
     ),
 ];
 
-fn mended(drawn: &str) -> String {
-    MENDED
-        .iter()
-        .fold(drawn.to_owned(), |drawn, (written, meant)| {
-            drawn.replace(written, meant)
-        })
+fn mended(drawn: String) -> String {
+    let mut mended = drawn;
+    for (written, meant) in MENDED {
+        if mended.contains(written) {
+            mended = mended.replace(written, meant);
+        }
+    }
+    mended
 }
 
 /// How deep brackets stand in each other.
@@ -276,10 +287,7 @@ fn parts_of(element: &str) -> Option<usize> {
 }
 
 /// Whether a drawn formula has nothing in it but what formulas are drawn with.
-fn is_harmless(drawn: &str) -> bool {
-    let Ok(tree) = roxmltree::Document::parse(drawn) else {
-        return false;
-    };
+fn is_harmless(tree: &Tree<'_>) -> bool {
     let elements = tree.descendants().filter(roxmltree::Node::is_element);
     elements.into_iter().all(|element| {
         let name = element.tag_name().name();
@@ -366,14 +374,15 @@ mod tests {
 
     #[test]
     fn active_content_is_never_let_through() {
+        let harmless = |drawn: &str| Tree::parse(drawn).is_ok_and(|tree| is_harmless(&tree));
         for active in [
             "<math><mi href=\"javascript:a\">x</mi></math>",
             "<math><script>a</script></math>",
             "<math><mi onclick=\"a\">x</mi></math>",
             "<math><mi style=\"background: url(a)\">x</mi></math>",
         ] {
-            assert!(!is_harmless(active), "{active}");
+            assert!(!harmless(active), "{active}");
         }
-        assert!(is_harmless("<math display=\"block\"><mi>x</mi></math>"));
+        assert!(harmless("<math display=\"block\"><mi>x</mi></math>"));
     }
 }

@@ -1,6 +1,7 @@
 //! Words that give a line its role: `suppose`, `hence`, `where`.
 
-use std::collections::HashMap;
+use foldhash::HashMap;
+use std::borrow::Cow;
 use std::sync::LazyLock;
 
 /// What a word makes of the formulas behind it.
@@ -24,7 +25,7 @@ type Phrase = (Vec<&'static str>, Cue);
 
 /// The phrases by their first words.
 static PHRASES: LazyLock<HashMap<&str, Vec<Phrase>>> = LazyLock::new(|| {
-    let mut phrases: HashMap<&str, Vec<Phrase>> = HashMap::new();
+    let mut phrases: HashMap<&str, Vec<Phrase>> = HashMap::default();
     for line in WORDS.lines() {
         let Some((kind, of_kind)) = line.split_once(':') else {
             continue;
@@ -76,7 +77,10 @@ pub(crate) fn denies_assumption(sentence: &str) -> bool {
 }
 
 /// A sentence without what stands in round brackets that are closed: it is not said of the formulas behind it.
-fn without_remarks(sentence: &str) -> String {
+fn without_remarks(sentence: &str) -> Cow<'_, str> {
+    if !sentence.contains('(') {
+        return Cow::Borrowed(sentence);
+    }
     let mut open: Vec<usize> = vec![];
     let mut kept = String::with_capacity(sentence.len());
     for c in sentence.chars() {
@@ -92,23 +96,24 @@ fn without_remarks(sentence: &str) -> String {
         }
         kept.push(c);
     }
-    kept
+    Cow::Owned(kept)
 }
 
 /// The cues of a sentence in their order.
 pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
-    let words: Vec<String> = without_remarks(sentence)
-        .split(|c: char| !c.is_alphanumeric() && c != '-' && c != '\'')
+    let sentence = without_remarks(sentence);
+    let words = sentence.split(|c: char| !c.is_alphanumeric() && c != '-' && c != '\'');
+    let words: Vec<Cow<'_, str>> = words
         .filter(|word| !word.is_empty())
-        .map(str::to_lowercase)
+        .map(in_small_letters)
         .collect();
     let (mut cues, mut end) = (vec![], 0);
     for (at, first) in words.iter().enumerate() {
         let behind = &words[at + 1..];
         let fits = |(rest, _): &&Phrase| {
-            rest.len() <= behind.len() && rest.iter().zip(behind).all(|(a, b)| *a == "*" || a == b)
+            rest.len() <= behind.len() && rest.iter().zip(behind).all(|(a, b)| *a == "*" || *a == b.as_ref())
         };
-        let phrases = PHRASES.get(first.as_str()).into_iter().flatten();
+        let phrases = PHRASES.get(first.as_ref()).into_iter().flatten();
         // A longer phrase hides the words in it; of two kinds with one phrase the first counts.
         let longest = phrases
             .filter(fits)
@@ -120,6 +125,13 @@ pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
         }
     }
     cues
+}
+
+fn in_small_letters(word: &str) -> Cow<'_, str> {
+    match word.bytes().all(|b| b.is_ascii() && !b.is_ascii_uppercase()) {
+        true => Cow::Borrowed(word),
+        false => Cow::Owned(word.to_lowercase()),
+    }
 }
 
 #[cfg(test)]
