@@ -45,7 +45,7 @@ mod rules;
 mod size;
 mod slip;
 
-pub use key::{Key, Refusal};
+pub use key::{Difference, Key, Refusal, Told};
 pub use mark::{mark, not_marked};
 pub use paper::{Text, Work};
 pub use policy::{FollowThrough, Marks};

@@ -15,12 +15,14 @@ use crate::verify::language::statement::Extent;
 use crate::verify::{self, Declared, Finding, Report, Role, Sheet, Verdict, Withheld};
 use num_traits::Zero;
 
+mod answered;
 mod axes;
 mod groups;
 mod refusal;
 mod routes;
 mod withheld;
 
+pub use answered::{Difference, Told};
 pub use refusal::Refusal;
 
 /// A line of the key that carries marks.

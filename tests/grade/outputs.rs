@@ -162,19 +162,17 @@ fn a_run_that_was_stopped_goes_on() {
     assert_eq!(grade(folder.path(), &["--shard", "1/1"]).0, 3);
     let out = folder.path().join("out");
     let journal = fs::read_to_string(out.join("part-1-of-1.jsonl")).expect("a journal");
-    // As if it had been killed in the middle of the third entry; the first is told from a new one by its marks.
+    // As if it had been killed in the middle of the third entry behind what the key said; the first is told from a new one
+    // by its marks.
     let mut lines: Vec<String> = journal.lines().map(str::to_owned).collect();
-    lines[0] = lines[0].replacen("\"queue\":", "\"queue\":\"kept\",\"unused\":", 1);
-    let cut = &lines[2][..lines[2].len() / 2];
-    fs::write(
-        out.join("journal.jsonl"),
-        format!("{}\n{}\n{cut}", lines[0], lines[1]),
-    )
-    .expect("written");
+    lines[1] = lines[1].replacen("\"queue\":", "\"queue\":\"kept\",\"unused\":", 1);
+    let cut = &lines[3][..lines[3].len() / 2];
+    let whole = lines[..3].join("\n");
+    fs::write(out.join("journal.jsonl"), format!("{whole}\n{cut}")).expect("written");
     assert_eq!(grade(folder.path(), &[]).0, 3);
     let results = results(folder.path());
     assert_eq!(results.matches("\"id\"").count(), 4, "{results}");
     assert_eq!(results.matches("\"kept\"").count(), 1, "{results}");
     let journal = fs::read_to_string(out.join("journal.jsonl")).expect("a journal");
-    assert_eq!(journal.lines().count(), 4);
+    assert_eq!(journal.lines().count(), 5);
 }

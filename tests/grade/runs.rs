@@ -30,7 +30,8 @@ fn the_journal_is_the_same_on_any_number_of_threads() {
         assert_eq!(grade(folder.path(), &["--threads", threads]).0, 0);
         journal(folder.path())
     });
-    assert_eq!(seen[0].lines().count(), 20);
+    // Before the students stands what the key said.
+    assert_eq!(seen[0].lines().count(), 21);
     assert_eq!(seen[0], seen[1]);
 }
 
@@ -167,4 +168,52 @@ fn an_answer_for_one_student_changes_no_other() {
     fs::write(unclear, "It is what it is.\n").expect("written");
     grade(folder.path(), &["--answers", &answers]);
     assert!(results(folder.path()).contains("an answer is not understood"));
+}
+
+/// When each file was written that has the marks of a student.
+fn written(folder: &Path, id: &str) -> std::time::SystemTime {
+    let page = folder.join(format!("out/feedback/{id}.html"));
+    let time = fs::metadata(page).and_then(|page| page.modified());
+    time.expect("a time")
+}
+
+#[test]
+fn an_answer_in_the_key_marks_anew_only_what_it_touches() {
+    let law = |letter: &str| {
+        let law = "$$\\vec M = (\\dot{\\vec L})_{xyz} + \\vec\\omega\\times\\vec L$$\n";
+        law.replace('L', letter)
+    };
+    let files = [("ada.md", law("H")), ("ben.md", law("L"))];
+    let files = files
+        .each_ref()
+        .map(|(name, text)| (*name, text.as_bytes()));
+    let (folder, fresh) = (class(&files), class(&files));
+    assert_eq!(grade(folder.path(), &[]).0, 3);
+    let before = ["ada", "ben"].map(|id| written(folder.path(), id));
+    let key = |letter: &str, of: &str| {
+        let answer = format!("- ${letter}$ is the angular momentum of the rotor {of}.\n---\n\n#");
+        super::KEY.replace("---\n\n#", &answer)
+    };
+    let told = key("\\vec H", "about G relative to N");
+    for place in [&folder, &fresh] {
+        fs::write(place.path().join("key.md"), &told).expect("written");
+        assert_eq!(grade(place.path(), &[]).0, 0);
+    }
+    assert!(written(folder.path(), "ada") > before[0]);
+    assert_eq!(written(folder.path(), "ben"), before[1]);
+    // As if all were marked anew.
+    assert_eq!(results(folder.path()), results(fresh.path()));
+    assert_eq!(journal(folder.path()), journal(fresh.path()));
+    // What is said of a letter that stands in other sentences, or of one that all write, touches all.
+    for told in [
+        key("\\vec H", "about G relative to N").replace("\\vec H", "\\vec M"),
+        super::KEY.replace("mass centre", "centre of mass"),
+        super::KEY.replace("\"(5)\": 2", "\"(5)\": 4"),
+    ] {
+        fs::write(folder.path().join("key.md"), &told).expect("written");
+        let before = written(folder.path(), "ben");
+        if grade(folder.path(), &[]).0 != 2 {
+            assert!(written(folder.path(), "ben") > before, "{told}");
+        }
+    }
 }

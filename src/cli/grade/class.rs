@@ -103,8 +103,8 @@ impl Class<'_> {
     pub(super) fn merge(&self) -> Result<Count, String> {
         let mut journals = vec![];
         for path in parts(self.out)? {
-            let journal =
-                Journal::open(&path, self.stamp()).map_err(|error| failed(&path, &error))?;
+            let journal = Journal::open(&path, self.stamp(), self.key)
+                .map_err(|error| failed(&path, &error))?;
             if !journal.is_whole {
                 return Err(failed(
                     &path,
@@ -147,7 +147,11 @@ impl Class<'_> {
         path: &Path,
         threads: Option<u16>,
     ) -> Result<Students, String> {
-        let journal = Journal::open(path, self.stamp()).map_err(|error| failed(path, &error))?;
+        let journal = Journal::open(path, self.stamp(), self.key).and_then(|mut journal| {
+            journal.begin()?;
+            Ok(journal)
+        });
+        let journal = journal.map_err(|error| failed(path, &error))?;
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads.map_or(0, usize::from))
             .stack_size(STACK)
@@ -218,6 +222,19 @@ impl Marking<'_> {
         if let Some((place, _)) = known.filter(|(_, known)| is_there(known)) {
             return Ok(place);
         }
+        let keep = |graded: &Graded| {
+            let kept = self.journal.append(own, graded);
+            kept.map_err(|error| {
+                failed(self.out, &format!("the journal can't be written: {error}"))
+            })
+        };
+        let untouched = panic::catch_unwind(AssertUnwindSafe(|| {
+            let work = work.as_ref().ok()?;
+            self.journal.untouched(&one.id, own, work)
+        }));
+        if let Some(graded) = untouched.ok().flatten().filter(is_there) {
+            return keep(&graded);
+        }
         let graded = marked(key, &one.id, work);
         for file in self.telling.files(key, &graded) {
             write(
@@ -227,14 +244,10 @@ impl Marking<'_> {
             )?;
         }
         // Pages have the lines; a class of many would not fit with them.
-        let done = self.journal.append(
-            own,
-            &Graded {
-                lines: vec![],
-                ..graded
-            },
-        );
-        done.map_err(|error| failed(self.out, &format!("the journal can't be written: {error}")))
+        keep(&Graded {
+            lines: vec![],
+            ..graded
+        })
     }
 }
 

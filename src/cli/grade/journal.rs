@@ -1,15 +1,16 @@
 //! What was marked so far: one line for each student, so that a run that was stopped goes on where it was, and so that
-//! another run marks only what changed.
+//! another run marks only what changed. Before the students stands what the key said by which they were marked: where it
+//! only tells of more letters now, those keep their marks who write none of them.
 
 use crate::cli::output;
-use crate::grade::Graded;
+use crate::grade::{Difference, Graded, Key, Told, Work};
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A line of the journal: what was handed in, by its digest, and what came of it.
 #[derive(Serialize, Deserialize)]
@@ -17,6 +18,20 @@ struct Entry<G> {
     stamp: u64,
     work: u64,
     graded: G,
+}
+
+/// The line before the students that were marked by a key.
+#[derive(Serialize, Deserialize)]
+struct Head {
+    stamp: u64,
+    told: Told,
+}
+
+/// What came of a student by an older key.
+struct Older {
+    work: u64,
+    place: Place,
+    difference: Arc<Difference>,
 }
 
 /// The line behind the last student of a part.
@@ -38,6 +53,10 @@ pub(super) struct Journal {
     stamp: u64,
     file: Mutex<Lines>,
     known: HashMap<String, (u64, Place)>,
+    /// Those that were marked by keys which only told of fewer letters, or of more.
+    older: HashMap<String, Older>,
+    /// The line before the students, and whether it stands there.
+    head: Option<(String, bool)>,
     /// Whether it is of a part that was marked to its end.
     pub(super) is_whole: bool,
 }
@@ -73,10 +92,23 @@ impl Lines {
 }
 
 impl Journal {
-    /// Opens a journal or begins one. Entries of another key, and a last one that was cut off, are left out.
-    pub(super) fn open(path: &Path, stamp: u64) -> io::Result<Self> {
+    /// Opens a journal or begins one. Entries of a key that differs in more than letters, and a last one that was cut off,
+    /// are left out.
+    pub(super) fn open(path: &Path, stamp: u64, key: &Key) -> io::Result<Self> {
         let mut file = opened(path)?;
-        let (mut known, mut whole, mut is_whole) = (HashMap::new(), 0, false);
+        let head = key.told().map(|told| line_of(&Head { stamp, told }));
+        let mut found = Self {
+            stamp,
+            file: Mutex::new(Lines {
+                file: file.try_clone()?,
+                end: 0,
+            }),
+            known: HashMap::new(),
+            older: HashMap::new(),
+            head: head.transpose()?.map(|line| (line, false)),
+            is_whole: false,
+        };
+        let (mut differences, mut whole) = (HashMap::new(), 0);
         let mut reader = BufReader::new(&file);
         let mut line = vec![];
         while reader.read_until(b'\n', &mut line)? > 0 && line.ends_with(b"\n") {
@@ -85,22 +117,66 @@ impl Journal {
                 length: line.len(),
             };
             whole += line.len() as u64;
-            let entry = serde_json::from_slice::<Entry<Graded>>(&line).ok();
-            if let Some(entry) = entry.filter(|entry| entry.stamp == stamp) {
-                known.insert(entry.graded.id, (entry.work, place));
-            }
-            let end = serde_json::from_slice::<End>(&line).ok();
-            is_whole = end.is_some_and(|end| end.stamp == stamp && end.students == known.len());
+            found.take_line(&line, place, key, &mut differences);
             line.clear();
         }
         file.set_len(whole)?;
         file.seek(SeekFrom::End(0))?;
-        Ok(Self {
-            stamp,
-            file: Mutex::new(Lines { file, end: whole }),
-            known,
-            is_whole,
-        })
+        found.file = Mutex::new(Lines { file, end: whole });
+        Ok(found)
+    }
+
+    /// Takes in a line of the file. For each older key it is kept how it differs.
+    fn take_line(
+        &mut self,
+        line: &[u8],
+        place: Place,
+        key: &Key,
+        differences: &mut HashMap<u64, Arc<Difference>>,
+    ) {
+        if let Some(entry) = serde_json::from_slice::<Entry<Graded>>(line).ok() {
+            let (id, work) = (entry.graded.id, entry.work);
+            match differences.get(&entry.stamp).cloned() {
+                _ if entry.stamp == self.stamp => {
+                    self.known.insert(id, (work, place));
+                }
+                Some(difference) => {
+                    let older = Older {
+                        work,
+                        place,
+                        difference,
+                    };
+                    self.older.insert(id, older);
+                }
+                None => {}
+            }
+        } else if let Some(head) = serde_json::from_slice::<Head>(line).ok() {
+            let difference = key.differs_from(&head.told);
+            differences.extend(difference.map(|own| (head.stamp, Arc::new(own))));
+            if let Some((_, stands)) = self.head.as_mut().filter(|_| head.stamp == self.stamp) {
+                *stands = true;
+            }
+        }
+        let end = serde_json::from_slice::<End>(line).ok();
+        self.is_whole =
+            end.is_some_and(|end| end.stamp == self.stamp && end.students == self.known.len());
+    }
+
+    /// Writes the line that stands before the students, unless it is there.
+    pub(super) fn begin(&mut self) -> io::Result<()> {
+        if let Some((line, stands)) = self.head.as_mut().filter(|(_, stands)| !*stands) {
+            let file = self.file.get_mut().unwrap_or_else(PoisonError::into_inner);
+            file.add(line.as_bytes())?;
+            *stands = true;
+        }
+        Ok(())
+    }
+
+    /// What came of a student's work by an older key, if by this one it is the same.
+    pub(super) fn untouched(&self, id: &str, digest: u64, work: &Work) -> Option<Graded> {
+        let older = self.older.get(id).filter(|older| older.work == digest)?;
+        let same = !older.difference.touches(work);
+        same.then(|| self.lines().graded(older.place).ok())?
     }
 
     /// What came of a student's work, if the same was marked before.
@@ -128,6 +204,7 @@ impl Journal {
     /// The students at these places, in their order.
     pub(super) fn students(self, places: Vec<Place>) -> Students {
         Students {
+            head: self.head.map(|(line, _)| line),
             lines: RefCell::new(
                 self.file
                     .into_inner()
@@ -152,6 +229,8 @@ pub(super) fn end(path: &Path, stamp: u64, students: usize) -> io::Result<()> {
 
 /// Students that were marked. Each is read when it is looked at, so that a class of any size takes little memory.
 pub(super) struct Students {
+    /// The line before them in a journal.
+    head: Option<String>,
     lines: RefCell<Lines>,
     places: Vec<Place>,
 }
@@ -212,7 +291,15 @@ impl Students {
         }
         let (ids, places) = all.into_iter().unzip();
         let lines = RefCell::new(lines);
-        Ok((Self { lines, places }, ids))
+        let head = None;
+        Ok((
+            Self {
+                head,
+                lines,
+                places,
+            },
+            ids,
+        ))
     }
 }
 
@@ -226,6 +313,8 @@ fn line_of(entry: &impl Serialize) -> io::Result<String> {
 /// Puts a journal with these students alone in the place of one: the same whatever the order was in which they were marked.
 pub(super) fn replace(path: &Path, students: &Students) -> io::Result<()> {
     output::replace_by(path, |file| {
+        let head = students.head.as_deref().unwrap_or_default();
+        file.write_all(head.as_bytes())?;
         let mut lines = students.lines.borrow_mut();
         let mut places = students.places.iter();
         places.try_for_each(|&place| file.write_all(&lines.read(place)?))
