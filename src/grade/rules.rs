@@ -172,10 +172,7 @@ impl<'a> Marker<'a> {
     /// between them was written wrong.
     pub(super) fn milestone(&mut self, milestone: &Milestone) -> Decision {
         let links = self.worst_of(milestone, |entry| 0..components(entry));
-        let tried = |line: &usize| {
-            let mut parts = 0..components(&self.board.key[*line]);
-            parts.any(|part| !self.wrong_at(Goal { line: *line, part }).is_empty())
-        };
+        let tried = |line: &usize| self.is_tried_between(*line);
         let has_ends = |line: &usize| !self.board.key[*line].ends.is_empty();
         let lines = milestone.lines.iter();
         let by_ends = lines.clone().all(has_ends) && !lines.clone().any(tried);
@@ -190,6 +187,16 @@ impl<'a> Marker<'a> {
             _ if ends.line.is_some() && links.line.is_none() => ends,
             _ => links,
         }
+    }
+
+    /// Whether something between the ends of a chain of the key was written wrong. Each side is held against the first, so
+    /// that one of its components says what the ends do.
+    fn is_tried_between(&self, line: usize) -> bool {
+        let entry = &self.board.key[line];
+        let parts = entry.components().iter().enumerate();
+        let mut between =
+            parts.filter(|(_, part)| !entry.ends.iter().any(|end| part.is_multiple_of(end)));
+        between.any(|(part, _)| !self.wrong_at(Goal { line, part }).is_empty())
     }
 
     /// The worst decision on some parts of the lines of a milestone.

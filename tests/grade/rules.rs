@@ -75,6 +75,25 @@ fn a_slip_in_the_law_itself_is_carried_on() {
 }
 
 #[test]
+fn the_ends_of_a_chain_carry_on_a_slip() {
+    let middle = r"M_x = \dot L_x + \omega_y L_z - \omega_z L_y = ";
+    let answer = r"$$M_x = I_{xx}\dot\omega_x - I_{xz}(\dot";
+    let key = KEY.replace(answer, &answer.replace("M_x = ", middle));
+    assert_ne!(key, KEY);
+    for carried in [CARRIED.to_owned(), CARRIED.replace("M_x = ", middle)] {
+        let graded = marked_by(&key, &format!("{LAW}{COMPONENT}{SLIP}{carried}"));
+        assert_eq!(
+            outcomes(&graded),
+            ["full", "full", "none", "follow-through"],
+            "{graded:?}"
+        );
+    }
+    let wrong = CARRIED.replace("+ (I_{zz}", "- (I_{zz}");
+    let graded = marked_by(&key, &format!("{LAW}{COMPONENT}{SLIP}{wrong}"));
+    assert_eq!(outcomes(&graded)[3], "none", "{graded:?}");
+}
+
+#[test]
 fn no_law_is_used_in_matching() {
     // What is true of the moment by the laws does not say what the momentum is.
     let graded = marked(&format!("{LAW}{COMPONENT}{ANSWER}"));
