@@ -134,7 +134,7 @@ impl Journal {
         key: &Key,
         differences: &mut HashMap<u64, Arc<Difference>>,
     ) {
-        if let Some(entry) = serde_json::from_slice::<Entry<Graded>>(line).ok() {
+        if let Ok(entry) = serde_json::from_slice::<Entry<Graded>>(line) {
             let (id, work) = (entry.graded.id, entry.work);
             match differences.get(&entry.stamp).cloned() {
                 _ if entry.stamp == self.stamp => {
@@ -150,7 +150,7 @@ impl Journal {
                 }
                 None => {}
             }
-        } else if let Some(head) = serde_json::from_slice::<Head>(line).ok() {
+        } else if let Ok(head) = serde_json::from_slice::<Head>(line) {
             let difference = key.differs_from(&head.told);
             differences.extend(difference.map(|own| (head.stamp, Arc::new(own))));
             if let Some((_, stands)) = self.head.as_mut().filter(|_| head.stamp == self.stamp) {

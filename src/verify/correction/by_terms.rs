@@ -43,7 +43,7 @@ impl<'l> Terms<'l> {
             for (node, negative) in terms(side) {
                 let negative = negative != (at == 1);
                 let adds = signed(judge.term(node)?, negative);
-                all = all + adds.clone();
+                all += adds.clone();
                 let whole = &mut found.sides[at].1;
                 *whole = whole.clone() + adds.clone();
                 let term = Term {

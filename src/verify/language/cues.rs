@@ -111,7 +111,11 @@ pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
     for (at, first) in words.iter().enumerate() {
         let behind = &words[at + 1..];
         let fits = |(rest, _): &&Phrase| {
-            rest.len() <= behind.len() && rest.iter().zip(behind).all(|(a, b)| *a == "*" || *a == b.as_ref())
+            rest.len() <= behind.len()
+                && rest
+                    .iter()
+                    .zip(behind)
+                    .all(|(a, b)| *a == "*" || *a == b.as_ref())
         };
         let phrases = PHRASES.get(first.as_ref()).into_iter().flatten();
         // A longer phrase hides the words in it; of two kinds with one phrase the first counts.
@@ -128,7 +132,10 @@ pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
 }
 
 fn in_small_letters(word: &str) -> Cow<'_, str> {
-    match word.bytes().all(|b| b.is_ascii() && !b.is_ascii_uppercase()) {
+    match word
+        .bytes()
+        .all(|b| b.is_ascii() && !b.is_ascii_uppercase())
+    {
         true => Cow::Borrowed(word),
         false => Cow::Owned(word.to_lowercase()),
     }
