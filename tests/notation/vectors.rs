@@ -24,6 +24,7 @@ fn every_mark_that_makes_a_vector_does() {
     each_reads(&[
         (r"\overrightarrow{OP}", "vec:OP"),
         (r"\mathbf{r}_{P/O}", "vec:r_P/O"),
+        (r"\mathbf{a+b}", "(+ vec:a vec:b)"),
         (r"\bar L", "bar:L"),
         (r"\vec{\omega}'", "vec:omega'"),
         (r"\vec L^{\,G}", "vec:L^G"),

@@ -23,6 +23,7 @@ mod members;
 mod named_loads;
 mod own_words;
 mod parts;
+mod placed_by_angles;
 mod planes;
 mod planes_and_rates;
 mod quaternions;
