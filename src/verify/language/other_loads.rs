@@ -17,10 +17,11 @@ pub(super) fn tell_other_moments(declarations: &mut [Declaration]) {
             let whole = premise
                 .slots
                 .iter()
-                .all(|(slot, _)| matches!(slot, Slot::Of | Slot::About));
+                .all(|(slot, _)| matches!(slot, Slot::Of | Slot::About | Slot::Along));
             premise.head == MOMENT && premise.adjectives == ["no", "other"] && whole
         });
-        let Some(told) = body.and_then(|body| moments_on(body, declarations)) else {
+        let along = premise.slot(Slot::Along);
+        let Some(told) = body.and_then(|body| moments_on(body, along, declarations)) else {
             continue;
         };
         let except = NounPhrase::new(EXCEPT, told);
@@ -32,8 +33,12 @@ pub(super) fn tell_other_moments(declarations: &mut [Declaration]) {
     }
 }
 
-/// The moments on a body that sentences tell by letters or formulas, if these are all loads on it.
-fn moments_on(body: &Term, declarations: &[Declaration]) -> Option<Vec<(Slot, Term)>> {
+/// The moments on a body, all or those along an axis, that sentences tell by letters or formulas, if these are all loads on it.
+fn moments_on(
+    body: &Term,
+    along: Option<&Term>,
+    declarations: &[Declaration],
+) -> Option<Vec<(Slot, Term)>> {
     let mut moments = vec![];
     for declaration in declarations {
         let Statement::Is { subjects, what } = &declaration.statement else {
@@ -43,11 +48,16 @@ fn moments_on(body: &Term, declarations: &[Declaration]) -> Option<Vec<(Slot, Te
         if !on_it || !is_load(what.head) {
             continue;
         }
-        let ([letter @ Term::Formula(_)], [(Slot::Of, of), (Slot::Upon, _)], MOMENT) =
+        let ([letter @ Term::Formula(_)], [(Slot::Of, of), (Slot::Upon, _), axis @ ..], MOMENT) =
             (subjects.as_slice(), what.slots.as_slice(), what.head)
         else {
             return None;
         };
+        match axis {
+            [] if along.is_none() => {}
+            [(Slot::Along, own)] if Some(own) == along => {}
+            _ => return None,
+        }
         let slots = vec![(Slot::Which, letter.clone()), (Slot::Of, of.clone())];
         let moment = Term::Phrase(Box::new(NounPhrase::new(MOMENT, slots)));
         moments.push((Slot::Of, moment));

@@ -168,7 +168,14 @@ impl Rule {
                 | Piece::Phrase(c)
                 | Piece::Clause(c) => {
                     let found = bound.iter().find(|(letter, _)| letter == c);
+                    let at = new.len();
                     new.extend(found.iter().flat_map(|(_, tokens)| tokens.iter().cloned()));
+                    // The article that began the sentence is no name where it stands now.
+                    if let (1.., [article, _, ..]) = (at, &mut new[at..])
+                        && ARTICLES.contains(&article.lower.as_str())
+                    {
+                        article.text.clone_from(&article.lower);
+                    }
                 }
                 Piece::Words(words) | Piece::Maybe(words) => {
                     let place = new.last().unwrap_or(near);

@@ -6,10 +6,11 @@ use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::loads::{Called, Lasting, Load};
-use crate::verify::model::system::{BodyId, Point, PointId};
+use crate::verify::model::system::{BodyId, Point, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::load_quantities_read::with_slots_of_moment;
+use crate::verify::reading::loads_read::{Acting, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, spelled};
@@ -179,7 +180,11 @@ impl Builder<'_> {
     pub(super) fn lists_moments(&self, premise: &NounPhrase) -> bool {
         let on = self.body_of(premise);
         let between = |load: &Term| match load {
-            Term::Phrase(load) => self.is_between(load, on) || load.all(Slot::Of).count() > 1,
+            Term::Phrase(load) => {
+                let by_letters = load.slot(Slot::Of).is_none() && !letters_of(load).is_empty();
+                self.is_between(load, on) || load.all(Slot::Of).count() > 1 || by_letters
+            }
+            Term::Formula(_) => true,
             _ => false,
         };
         let along = premise.slot(Slot::Along).is_some();
@@ -200,8 +205,25 @@ impl Builder<'_> {
         for load in premise.all(Slot::With) {
             let load = match load {
                 Term::Phrase(load) if load.head == MOMENT => load,
+                Term::Formula(letter) => {
+                    rest -= self.moment_by_letter(letter, premise, body, declaration)?;
+                    continue;
+                }
                 _ => return None,
             };
+            // "the moment `$-k\theta$`", "the moments `$K$` and `$M$`"
+            if load.slot(Slot::Of).is_none() {
+                let own = |slot: &Slot| matches!(slot, Slot::Which | Slot::Along);
+                let along = load.slot(Slot::Along);
+                let same = along.is_none() || along == premise.slot(Slot::Along);
+                if !same || !load.slots.iter().all(|(slot, _)| own(slot)) {
+                    return None;
+                }
+                for letter in letters_of(load) {
+                    rest -= self.moment_by_letter(letter, premise, body, declaration)?;
+                }
+                continue;
+            }
             // "The moments of the base and of link 2": one of each.
             for agent in load.all(Slot::Of) {
                 let slots = load.slots.iter().filter(|(slot, _)| *slot != Slot::Of);
@@ -215,6 +237,24 @@ impl Builder<'_> {
         self.hold(rest.dot(&along), declaration);
         self.mark_listed(premise);
         Some(())
+    }
+
+    /// A moment on a body along the axis of a list, by its letter or its formula.
+    fn moment_by_letter(
+        &mut self,
+        letter: &Formula,
+        premise: &NounPhrase,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<Vector> {
+        let acting = Acting {
+            head: MOMENT,
+            letter,
+            at: None,
+            along: premise.slot(Slot::Along),
+            on: Some(body),
+        };
+        self.value_of_load(&acting, declaration)
     }
 
     /// "The moment of the motor on the wheel is along z": it has no other component.

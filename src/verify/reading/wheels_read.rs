@@ -92,7 +92,9 @@ impl Builder<'_> {
             Whole::Member(..) => self.rotors_of(&of).is_some(),
             Whole::Body(_) => true,
         };
-        let one = premise.all(Slot::With).count() == 1;
+        let agent =
+            |load: &Term| matches!(load, Term::Phrase(load) if load.slot(Slot::Of).is_some());
+        let one = premise.all(Slot::With).count() == 1 && premise.all(Slot::With).all(agent);
         (known && one && premise.slot(Slot::Along).is_some()).then_some(())
     }
 
