@@ -68,6 +68,7 @@ mod on_lines;
 mod on_rings;
 mod other_components;
 mod other_loads;
+mod own_notation;
 mod owners;
 pub(crate) mod phrase;
 mod placed_centres;

@@ -128,7 +128,7 @@ fn is_operand(text: &str, before: Option<Lexeme<'_>>) -> bool {
     }
 }
 
-/// `\quad (8.6)`, `--- (3)`, `\dots (4)` at the end of a relation.
+/// `\quad (8.6)`, `--- (3)`, `\dots (4)`, `.\;(1)` and `(eq:name)` at the end of a relation.
 fn trailing_label(tokens: &mut Vec<Token<'_>>) -> Option<String> {
     let close = tokens.len().checked_sub(1)?;
     if tokens[close].kind != Lexeme::Char(')') {
@@ -156,12 +156,20 @@ fn trailing_label(tokens: &mut Vec<Token<'_>>) -> Option<String> {
     let gap = lead
         .iter()
         .any(|t| matches!(t.kind, Lexeme::Space(width) if width >= 18));
-    let set_apart = dashes >= 2 || dots || gap;
-    if !set_apart || !super::text::is_label(&label) {
+    let set_apart = dashes >= 2 || dots || gap || is_numbered(lead, &label);
+    if !(set_apart && super::text::is_label(&label)) && !super::text::is_named_label(&label) {
         return None;
     }
     tokens.truncate(start);
     Some(format!("({label})"))
+}
+
+/// Whether a whole number in brackets is that of the formula before it: a thick space parts it from that, which no author puts
+/// before a factor two.
+fn is_numbered(lead: &[Token<'_>], label: &str) -> bool {
+    let digits = !label.is_empty() && label.bytes().all(|b| b.is_ascii_digit());
+    let thick = |t: &Token<'_>| matches!(t.kind, Lexeme::Space(width) if width >= 5);
+    digits && lead.last().is_some_and(thick)
 }
 
 pub(super) fn is_script(kind: Lexeme<'_>) -> bool {

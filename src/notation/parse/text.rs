@@ -91,6 +91,15 @@ pub(super) fn is_label(text: &str) -> bool {
             .all(|b| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-' | b'*' | b'\'' | b':'))
 }
 
+/// `eq:name`, by which texts refer to a formula: a word, a colon and a name.
+pub(super) fn is_named_label(text: &str) -> bool {
+    let kinds = ["eq", "eqn", "equation", "eqs"];
+    let name = |b: u8| b.is_ascii_alphanumeric() || matches!(b, b'.' | b'-' | b'_' | b':');
+    text.trim().split_once(':').is_some_and(|(kind, named)| {
+        kinds.contains(&kind) && named.len() > 1 && named.bytes().all(name)
+    })
+}
+
 /// Words that stand between two relations.
 pub(super) fn joins(text: &str) -> bool {
     let word = text

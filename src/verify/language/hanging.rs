@@ -207,7 +207,8 @@ impl<'a> Reader<'a> {
             self.at += any.length;
             self.take_entry(&NOUNS);
             let letters = self.terms()?;
-            slots.extend(letters.into_iter().map(|letter| (Slot::ForAny, letter)));
+            let letters = letters.into_iter().map(name_of_any);
+            slots.extend(letters.map(|letter| (Slot::ForAny, letter)));
         }
     }
 
@@ -301,5 +302,16 @@ fn about_first(entry: &Entry, preposition: &str, slots: &mut [(Slot, Term)]) {
         && let Some((slot, _)) = slots.iter_mut().find(|(s, _)| Some(*s) == relative)
     {
         *slot = about;
+    }
+}
+
+/// "any point Y" in a list: the name alone.
+fn name_of_any(term: Term) -> Term {
+    match term {
+        Term::Phrase(phrase) if phrase.is("any") && phrase.slots.len() == 1 => {
+            let name = phrase.slot(Slot::Which).cloned();
+            name.unwrap_or(Term::Phrase(phrase))
+        }
+        other => other,
     }
 }

@@ -28,6 +28,7 @@ use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
+use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::placed_centres::name_placed_centres;
 use super::placed_points::name_placed_points;
@@ -88,6 +89,7 @@ fn name_things(
     take_across_planes(&mut declarations);
     list_next_loads(&mut declarations);
     name_by_agents(&mut declarations);
+    tell_own_notation(&mut declarations);
     name_frames_by_numbers(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));

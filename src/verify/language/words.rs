@@ -99,7 +99,19 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
 }
 
 /// Signs of which sentences say how they are read.
-const SIGNS: [&str; 8] = ["\\times", "\\pm", "−", "-", "∴", "\\therefore", "\\_", "_"];
+const SIGNS: [&str; 11] = [
+    "\\times",
+    "\\pm",
+    "−",
+    "-",
+    "∴",
+    "\\therefore",
+    "\\_",
+    "_",
+    "\\neq",
+    "\\ne",
+    "≠",
+];
 
 /// Words that stand behind a name, and behind no article.
 const BEHIND_NAMES: [&str; 14] = [

@@ -1,0 +1,68 @@
+//! Sentences about writing that say in the author's own signs what a rule of notation says, and those that say nothing new.
+
+use super::heads::{FRAME_BEFORE_RATE, RATE_FROM_FRAME};
+use super::statement::{Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
+
+/// "`\frac{^X d}{dt}` is the rate seen from X, for any frame X" is the rule for a frame at the upper left of a rate; "`a_{b}` is
+/// the same as `a_b`" needs no sentence.
+pub(crate) fn tell_own_notation(declarations: &mut Vec<Declaration>) {
+    declarations.retain(|declaration| !is_written_alike(&declaration.statement));
+    for declaration in declarations {
+        let Statement::Notation {
+            sign,
+            meaning: meaning @ NotationMeaning::Noun(_),
+        } = &mut declaration.statement
+        else {
+            continue;
+        };
+        let (Sign::Operator(written), NotationMeaning::Noun(rate)) = (&*sign, &*meaning) else {
+            continue;
+        };
+        if frame_of_rate(rate).is_some_and(|frame| bears(&written.source, frame)) {
+            *sign = Sign::Custom(FRAME_BEFORE_RATE);
+            *meaning = NotationMeaning::Fixed(RATE_FROM_FRAME);
+        }
+    }
+}
+
+/// The letter of the frame from which a rate is seen, where it stands for any frame.
+fn frame_of_rate(rate: &NounPhrase) -> Option<&str> {
+    let (Term::Name(seen), Term::Name(any)) =
+        (rate.slot(Slot::SeenFrom)?, rate.slot(Slot::ForAny)?)
+    else {
+        return None;
+    };
+    (rate.head == "rate" && seen == any).then_some(seen)
+}
+
+/// Whether a derivative in time is written with a letter at its upper left.
+fn bears(written: &str, frame: &str) -> bool {
+    let plain = bare(written);
+    let rate = plain.ends_with("dt");
+    let before = plain.split("d").next().unwrap_or_default();
+    let before = before
+        .trim_start_matches("\\frac")
+        .trim_end_matches("\\frac");
+    rate && before.strip_prefix('^') == Some(frame)
+}
+
+/// Whether a sentence says that formulas are the same that differ in braces and spaces alone.
+fn is_written_alike(statement: &Statement) -> bool {
+    let Statement::Same { subjects, others } = statement else {
+        return false;
+    };
+    let alike = |pair: (&Term, &Term)| match pair {
+        (Term::Formula(a), Term::Formula(b)) => bare(&a.source) == bare(&b.source),
+        _ => false,
+    };
+    let pairs = subjects.len() == others.len() && !subjects.is_empty();
+    pairs && subjects.iter().zip(others).all(alike)
+}
+
+/// A formula without braces and spaces.
+fn bare(written: &str) -> String {
+    let kept = written
+        .chars()
+        .filter(|c| !c.is_whitespace() && !"{}".contains(*c));
+    kept.collect()
+}
