@@ -58,6 +58,37 @@ impl Document {
     }
 }
 
+impl Document {
+    /// Where a row stands that begins with a byte: words before its first sign are its beginning, as its author counts lines.
+    pub(crate) fn place_of_row(&self, offset: u32) -> Place {
+        let own = self.place(offset);
+        let before = self.source.text.get(..offset as usize);
+        let Some(begin) = before.and_then(begin_of_words) else {
+            return own;
+        };
+        let begin = self.place(begin);
+        match begin.cell == own.cell && begin.line < own.line {
+            true => begin,
+            false => own,
+        }
+    }
+}
+
+/// Where the words begin that end a text: `\textrm{Let us define: }`.
+fn begin_of_words(before: &str) -> Option<u32> {
+    const COMMANDS: [&str; 6] = ["text", "textrm", "textit", "textbf", "mbox", "intertext"];
+    // Words are short, and no more is looked at for each row.
+    const LONGEST: usize = 200;
+    let inside = before.trim_end().strip_suffix('}')?;
+    let open = inside.rfind('{').filter(|at| inside.len() - at < LONGEST)?;
+    let words = &inside[open + 1..];
+    let command = inside[..open].rfind('\\')?;
+    let named = COMMANDS.contains(&&inside[command + 1..open]);
+    (named && !words.contains('}'))
+        .then(|| command.try_into().ok())
+        .flatten()
+}
+
 /// Where a byte of a document stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {

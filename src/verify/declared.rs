@@ -202,7 +202,7 @@ impl<'a> Rows<'a> {
     }
 
     fn at(&self, span: Span) -> At {
-        let place = self.document.place(span.start);
+        let place = self.document.place_of_row(span.start);
         At {
             cell: place.cell,
             line: place.line,
@@ -211,7 +211,7 @@ impl<'a> Rows<'a> {
     }
 
     fn pass(&mut self, span: Span, what: &'static str) {
-        let place = self.document.place(span.start);
+        let place = self.document.place_of_row(span.start);
         self.passed.push(Passed {
             span,
             source_line: place.line,

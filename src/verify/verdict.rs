@@ -129,7 +129,7 @@ impl Finding {
         let place = document.place(span.start);
         Self {
             span,
-            source_line: place.line,
+            source_line: document.place_of_row(span.start).line,
             source_column: place.column,
             cell: place.cell,
             source: document.source.slice(span).trim().to_owned(),

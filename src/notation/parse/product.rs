@@ -145,7 +145,8 @@ impl Parser<'_, '_> {
             // Behind a space that is written, a script belongs to what follows: `R\,^{W}I`.
             Some(Lexeme::Superscript) => {
                 let space = |at: usize| matches!(self.tokens[at].kind, Lexeme::Space(_));
-                self.at > 0 && (space(self.at - 1) || self.script_leads_a_matrix())
+                let leads = self.script_leads_a_matrix() || self.frame_leads_a_letter();
+                self.at > 0 && (space(self.at - 1) || leads)
             }
             Some(Lexeme::Text(text)) => {
                 super::text::is_symbol(text) || super::function::named(text.trim()).is_some()

@@ -30,7 +30,12 @@ impl<'t, 'a> Parser<'t, 'a> {
                 }
                 // `x'{}^2`: an empty group keeps a script apart from what is before it.
                 Some(Lexeme::Open) if self.empty_group_leads_a_script() => self.at += 2,
-                Some(Lexeme::Superscript) if self.script_leads_a_matrix() => break,
+                Some(Lexeme::Superscript)
+                    if self.script_leads_a_matrix()
+                        || matches!(node.kind, Kind::Number(_)) && self.frame_leads_a_letter() =>
+                {
+                    break;
+                }
                 Some(Lexeme::Superscript) => {
                     self.at += 1;
                     let tokens = self.argument();
@@ -90,6 +95,23 @@ impl<'t, 'a> Parser<'t, 'a> {
             label.chars().all(char::is_alphabetic) && !matches!(label.as_str(), "T" | "top");
         probe.skip_spaces();
         frame && matches!(probe.peek(), Some(Lexeme::Begin(_)))
+    }
+
+    /// Whether a frame stands apart from a number and right before a letter, `2 ^N\omega`: it belongs to that.
+    pub(super) fn frame_leads_a_letter(&self) -> bool {
+        let apart = self.tokens.get(self.at).is_some_and(|t| t.spaced);
+        let before = self.at.checked_sub(1).map(|at| self.tokens[at].kind);
+        if !apart || !matches!(before, Some(Lexeme::Number(_))) {
+            return false;
+        }
+        let mut probe = self.clone();
+        probe.at += 1;
+        let label = text::plain(probe.argument());
+        let mut letters = label.chars();
+        let frame =
+            letters.next().is_some_and(|c| c.is_ascii_uppercase()) && letters.next().is_none();
+        probe.skip_spaces();
+        frame && matches!(probe.peek(), Some(Lexeme::Command(_) | Lexeme::Letter(_)))
     }
 
     fn script_is_empty(&self) -> bool {

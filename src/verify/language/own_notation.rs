@@ -7,6 +7,7 @@ use super::statement::{Declaration, NotationMeaning, NounPhrase, Sign, Slot, Sta
 /// the same as `a_b`" needs no sentence.
 pub(crate) fn tell_own_notation(declarations: &mut Vec<Declaration>) {
     declarations.retain(|declaration| !is_written_alike(&declaration.statement));
+    leave_equal_signs(declarations);
     for declaration in declarations {
         let Statement::Notation {
             sign,
@@ -57,6 +58,26 @@ fn is_written_alike(statement: &Statement) -> bool {
     };
     let pairs = subjects.len() == others.len() && !subjects.is_empty();
     pairs && subjects.iter().zip(others).all(alike)
+}
+
+/// "`^N` and `^{N}` are the same", of signs that cannot stand alone.
+fn leave_equal_signs(declarations: &mut Vec<Declaration>) {
+    let sign = |d: &Declaration| match &d.statement {
+        Statement::Notation {
+            sign: Sign::Operator(written),
+            meaning: NotationMeaning::Fixed("the same"),
+        } => Some((d.line, bare(&written.source))),
+        _ => None,
+    };
+    let all: Vec<(usize, String)> = declarations.iter().filter_map(sign).collect();
+    declarations.retain(|d| {
+        let Some((line, written)) = sign(d) else {
+            return true;
+        };
+        let mut beside = all.iter().filter(|(other, _)| *other == line);
+        let several = beside.clone().count() > 1;
+        !(several && beside.all(|(_, other)| *other == written))
+    });
 }
 
 /// A formula without braces and spaces.

@@ -1,7 +1,7 @@
 //! Axes of two frames that are the same where the angle between the frames is zero.
 
 use crate::verify::language::heads::NORMAL;
-use crate::verify::language::statement::{Declaration, Statement, Term};
+use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::compounds_read::symbols_in;
@@ -35,8 +35,21 @@ impl Builder<'_> {
             }
             _ => false,
         };
+        // That it points along this one is what its place says.
+        let confirms = |d: &Declaration| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "point",
+                slots,
+            } => {
+                let own = |subject: &Term| name_of(subject).is_some_and(|n| names.contains(&&n));
+                matches!(slots.as_slice(), [(Slot::Along, along)] if name_of(along).as_ref() == Some(&name))
+                    && subjects.iter().all(own)
+            }
+            _ => false,
+        };
         let related = |d: &Declaration| self.relates_axes(d, frame, relative);
-        let mut others = self.declarations.iter();
+        let mut others = self.declarations.iter().filter(|d| !confirms(d));
         (!others.any(|d| spoken_of(d) || related(d))).then_some(axis)
     }
 

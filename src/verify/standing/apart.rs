@@ -180,7 +180,7 @@ impl<'a> Apart<'a> {
     }
 
     fn line(&mut self, line: &Line) -> Said {
-        let place = self.judge.document.place(line.span.start);
+        let place = self.judge.document.place_of_row(line.span.start);
         (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
         let links = self.judge.chain.links(&without_number(line));
         let (mut sides, mut defines, mut first) = (Some(vec![]), false, 0);

@@ -97,7 +97,7 @@ impl Judge<'_> {
 
     /// The same of one that cannot be read.
     pub(super) fn note_unreadable(&mut self, span: Span) {
-        let place = self.document.place(span.start);
+        let place = self.document.place_of_row(span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
         let role = self.reading.role(&self.at, &[]);
         if matches!(role, Some(Role::Given | Role::Assume)) {

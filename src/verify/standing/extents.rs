@@ -36,7 +36,7 @@ impl Places {
                 Item::Formula(formula) => {
                     for row in &formula.rows {
                         let Row::Line(line) = row else { continue };
-                        let place = document.place(line.span.start);
+                        let place = document.place_of_row(line.span.start);
                         let own = line.labels.iter().map(|label| bare(label));
                         labels.extend(own.map(|label| (label, place.cell, place.line)));
                     }

@@ -18,7 +18,7 @@ pub(crate) fn with_given_lines(
     let mut set = vec![];
     for row in rows(document) {
         let Row::Line(line) = row else { continue };
-        let place = document.place(line.span.start);
+        let place = document.place_of_row(line.span.start);
         let at = At {
             cell: place.cell,
             line: place.line,

@@ -231,7 +231,7 @@ impl<'a> Judge<'a> {
     /// Judges a line; one that is only named has no verdict but that it is proved.
     fn line(&mut self, line: &Line, display: bool, named: bool) {
         let line = &*without_number(line);
-        let place = self.document.place(line.span.start);
+        let place = self.document.place_of_row(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
         let links = self.chain.links(line);
         let cut = self.document.format == Format::Text

@@ -209,7 +209,7 @@ fn places(document: &Document) -> Vec<At> {
                     _ => None,
                 });
                 places.extend(spans.map(|span| {
-                    let place = document.place(span.start);
+                    let place = document.place_of_row(span.start);
                     At {
                         cell: place.cell,
                         line: place.line,

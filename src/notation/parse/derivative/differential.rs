@@ -130,6 +130,16 @@ pub(super) fn above<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Differential<'t, 
         frame = frame.or(Some(turning(mark.span)));
         rest = &rest[1..];
     }
+    // Beside a d whose frame is told another one belongs to what follows: `^N d\,^N\omega`.
+    let raised = rest.first().is_some_and(|t| t.kind == Lexeme::Superscript);
+    if frame.is_some() && raised && frame_above(rest).0.is_some() {
+        return Some(Differential {
+            partial,
+            order: 1,
+            frame,
+            rest: trim(rest),
+        });
+    }
     let (above, tokens) = frame_above(rest);
     frame = frame.or(above.map(label));
     let (more, order) = order(tokens)?;
