@@ -17,6 +17,7 @@ pub(crate) mod adjectives;
 mod anaphora;
 mod angles_about;
 mod at_zero;
+mod axes_by_vectors;
 mod bodies;
 mod body_axes;
 mod both;
@@ -111,6 +112,7 @@ mod turns;
 mod unread;
 pub(crate) mod wants;
 mod weights;
+mod wholes_by_plurals;
 mod words;
 
 pub use declare::{read_declarations, read_sentence};

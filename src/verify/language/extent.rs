@@ -32,7 +32,9 @@ impl Reader<'_> {
             let start = self.at;
             let lines = LINES.contains(&self.word()) || self.at_label();
             let found = self.extent(extents == [Extent::Document])?;
-            let verbs = ["is", "are", "hold", "holds", "defines", "define"];
+            let verbs = [
+                "is", "are", "hold", "holds", "defines", "define", "starts", "start",
+            ];
             let subject = lines && verbs.contains(&self.word());
             if found.is_empty() || subject {
                 self.at = start;

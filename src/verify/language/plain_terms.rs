@@ -3,6 +3,7 @@
 use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
 
+use super::axes_by_vectors::name_axes_by_vectors;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
@@ -52,6 +53,7 @@ use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::tell_gravity;
+use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
 
 /// What sentences say, in the terms that the model has: each thing by one name, letters as formulas.
@@ -95,6 +97,7 @@ fn name_things(
     declarations = turn_in_order(part_centres(part_letters(respectively)));
     write_letters(&mut declarations, lexicon, macros);
     name_bodies(&mut declarations);
+    join_uncounted(&mut declarations);
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
     tell_disturbed(&mut declarations);
@@ -117,6 +120,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
     tell_matrices(declarations);
     name_plainly(declarations);
     say_of_loads(declarations);
+    name_axes_by_vectors(declarations);
     name_fixed_axes(declarations, macros);
     tell_upright_axes(declarations);
 }

@@ -240,6 +240,10 @@ impl Printer<'_> {
                 let define = if many { "define" } else { "defines" };
                 return format!("{subject} {define} {}", self.formula(formula));
             }
+            (DeclaredRole::StartsFrom(formula), _) => {
+                let start = if many { "start from" } else { "starts from" };
+                return format!("{subject} {start} {}", self.formula(formula));
+            }
         };
         format!("{subject} {role}")
     }

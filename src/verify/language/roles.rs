@@ -67,6 +67,13 @@ impl Reader<'_> {
     }
 
     fn roles(&mut self) -> Read<Vec<DeclaredRole>> {
+        if self.take("starts from") || self.take("start from") {
+            let formulas = self.terms()?;
+            return match formulas.first().and_then(as_formula) {
+                Some(formula) if formulas.len() == 1 => Ok(vec![DeclaredRole::StartsFrom(formula)]),
+                _ => Err(self.unexpected("formula", "the first side could stand here", &[])),
+            };
+        }
         if !self.take_any(&["define", "defines"]) {
             return Ok(vec![self.role()?]);
         }

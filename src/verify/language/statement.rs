@@ -287,6 +287,8 @@ pub enum DeclaredRole {
     Define(Option<Formula>),
     /// "is left out".
     LeftOut,
+    /// "starts from `$X$`": the side that is missing before its first sign of relation.
+    StartsFrom(Formula),
 }
 
 /// Why a sentence is not understood.

@@ -354,6 +354,7 @@ impl Builder<'_> {
 
     /// What sentences say of bodies once points stand: masses and shapes.
     pub(super) fn finish_bodies(&mut self) {
+        self.read_massless();
         for (own, of) in self.points_of.clone() {
             self.reading.system.bodies[own].centre = self.reading.system.bodies[of].centre;
             self.reading.system.bodies[own].mass = self.reading.system.bodies[of].mass.clone();
@@ -378,12 +379,10 @@ impl Builder<'_> {
 
     /// "P is a particle of mass `$m$`", "the rods are thin rods of length `$l$`".
     fn read_sizes(&mut self, body: BodyId, what: &NounPhrase, declaration: &Declaration) {
-        match self.is_shape(what.head) {
-            true if self.shape_body(body, what, declaration).is_none() => {
-                self.say_unused(declaration);
-            }
-            true => {}
-            false => self.round_body(body, what, declaration),
+        if !self.is_shape(what.head) {
+            self.round_body(body, what, declaration);
+        } else if self.shape_body(body, what, declaration).is_none() {
+            self.say_unused(declaration);
         }
         // A formula of letters waits for what tells these.
         for formula in masses_said(what).filter(|mass| is_letter(mass)) {

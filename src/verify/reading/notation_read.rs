@@ -377,6 +377,7 @@ fn mark_of(name: &str) -> Option<Mark> {
         "hat" | "wide" => Some(Mark::Hat),
         "bar" | "underline" => Some(Mark::Bar),
         "prime" => Some(Mark::Prime),
+        "small" => Some(Mark::Ring),
         "dot" => Some(Mark::Dot),
         "no" => Some(Mark::NoLabel),
         "base" => Some(Mark::AxisWithoutLabel),

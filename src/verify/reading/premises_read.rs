@@ -389,12 +389,8 @@ impl Builder<'_> {
             };
             // "On lines 4 to 9 line 3 is assumed": it holds there alone.
             if matches!(role, DeclaredRole::Assume) && declaration.extent != Extent::Document {
-                match self
-                    .reading
-                    .held
-                    .iter_mut()
-                    .find(|(lines, _)| *lines == reach)
-                {
+                let mut held = self.reading.held.iter_mut();
+                match held.find(|(lines, _)| *lines == reach) {
                     Some((_, before)) => *before = before.clone().or(there),
                     None => self.reading.held.push((reach.clone(), there)),
                 }
@@ -405,6 +401,8 @@ impl Builder<'_> {
                 DeclaredRole::Claim => Some(Role::Claim),
                 DeclaredRole::Define(_) => Some(Role::Define),
                 DeclaredRole::LeftOut => None,
+                // It says how the line is read, and nothing of what it is.
+                DeclaredRole::StartsFrom(_) => continue,
             };
             self.reading.roles.push(LineRole {
                 reach,

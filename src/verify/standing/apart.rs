@@ -14,7 +14,6 @@ use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::KeptApart;
 use crate::verify::reading::loads_read::tells_loads;
-use crate::verify::standing::chains::Chain;
 use crate::verify::standing::hold::Sides;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::memory::{Memory, Recall};
@@ -148,7 +147,7 @@ impl<'a> Apart<'a> {
         let same_customs = customs.integrals != entries;
         customs.integrals = !entries;
         self.judge.document = document;
-        self.judge.chain = Chain::default();
+        self.judge.chain.begin_anew();
         self.judge.words.headings = Headings::default();
         self.judge.at = At::default();
         let written = written_symbols(document);
@@ -182,7 +181,10 @@ impl<'a> Apart<'a> {
     fn line(&mut self, line: &Line) -> Said {
         let place = self.judge.document.place_of_row(line.span.start);
         (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
-        let links = self.judge.chain.links(&without_number(line));
+        let links = self
+            .judge
+            .chain
+            .links(&without_number(line), &self.judge.at);
         let (mut sides, mut defines, mut first) = (Some(vec![]), false, 0);
         for (number, link) in links.iter().enumerate() {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);

@@ -2,7 +2,9 @@
 
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::source::Span;
-use crate::verify::term::letters::{At, Letters, loosely, spelled};
+use crate::verify::language::statement::{Declaration, DeclaredRole, Statement};
+use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::term::letters::{At, Letters, Reach, loosely, spelled};
 
 /// Two sides and what is said of them.
 #[derive(Clone, Debug)]
@@ -17,9 +19,34 @@ pub(crate) struct Link {
 pub(crate) struct Chain {
     /// Its first side.
     head: Option<Node>,
+    /// The first sides that sentences tell, and of which lines.
+    told: Vec<(Reach, Node)>,
 }
 
 impl Chain {
+    /// With the first sides that sentences tell: "line 5 starts from `$X$`".
+    pub(crate) fn told_by(declarations: &[Declaration]) -> Self {
+        let told = declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Role {
+                lines,
+                role: DeclaredRole::StartsFrom(side),
+            } => {
+                let reach = Reach::Both(Box::new(reach_of(&d.extent)), Box::new(reach_of(lines)));
+                Some((reach, node_of(side)?.clone()))
+            }
+            _ => None,
+        });
+        Self {
+            head: None,
+            told: told.collect(),
+        }
+    }
+
+    /// Before the first line.
+    pub(crate) fn begin_anew(&mut self) {
+        self.head = None;
+    }
+
     /// The first row of a display that has no relation: the rows below go on from it.
     pub(crate) fn begin(&mut self, head: &Node) {
         self.head = Some(head.clone());
@@ -28,9 +55,11 @@ impl Chain {
     /// The links of a line; a row that begins with a relation goes on from the head of the chain before it.
     ///
     /// Equals are held against the head, so that one false member does not make the next one false or hide it.
-    pub(crate) fn links(&mut self, line: &Line) -> Vec<Link> {
+    pub(crate) fn links(&mut self, line: &Line, at: &At) -> Vec<Link> {
         if !line.continues {
             self.head = line.sides.first().cloned();
+        } else if let Some((_, side)) = self.told.iter().find(|(reach, _)| reach.covers(at, 0)) {
+            self.head = Some(side.clone());
         }
         let Some(head) = self.head.clone() else {
             return vec![];

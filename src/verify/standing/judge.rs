@@ -127,7 +127,7 @@ impl<'a> Judge<'a> {
                 trial: None,
                 small: Small::default(),
             },
-            chain: Chain::default(),
+            chain: Chain::told_by(&part.declarations),
             at: At::default(),
             words: Words::default(),
             judged: vec![],
@@ -233,7 +233,7 @@ impl<'a> Judge<'a> {
         let line = &*without_number(line);
         let place = self.document.place_of_row(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
-        let links = self.chain.links(line);
+        let links = self.chain.links(line, &self.at);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
         let elsewhere = self.passes_over(&links);

@@ -90,7 +90,7 @@ impl Judge<'_> {
     }
 
     fn all_follow(&mut self, line: &Line) -> bool {
-        let links = Chain::default().links(&without_number(line));
+        let links = Chain::default().links(&without_number(line), &self.at);
         !links.is_empty() && links.iter().all(|link| self.follows(link))
     }
 

@@ -179,6 +179,8 @@ pub(crate) enum Mark {
     Hat,
     Bar,
     Prime,
+    /// A ring above.
+    Ring,
     Dot,
     /// A vector or tensor without a label.
     NoLabel,

@@ -116,6 +116,12 @@ impl Lowering<'_> {
         if let Some(Effect::RateSeenFrom(frame)) = self.effect_of(label, true) {
             return Ok(frame);
         }
+        // The ring over a vector has the label of turning axes: a sentence says which these are.
+        if label == "'"
+            && let Some(Effect::RateSeenFrom(frame)) = self.letters.mark(Mark::Ring, self.at)
+        {
+            return Ok(*frame);
+        }
         let named = self.letters.frame(label);
         named.ok_or_else(|| Trouble::Unknown(label.to_owned()))
     }
