@@ -99,6 +99,8 @@ fn labels_are_taken_from_where_people_put_them() {
         r"a = b \text{--- (3)}",
         r"a = b \quad \ldots (3)",
         r"a = b \cdots (3)",
+        r"a = b.\; (3)",
+        r"a = b \; (3)",
         r"\boxed{a = b}\tag{3}",
         r"(3)\quad a = b",
         r"\text{(3)}\quad a = b",
@@ -106,6 +108,7 @@ fn labels_are_taken_from_where_people_put_them() {
         assert_eq!(latex(source), "a = b #(3)", "{source}");
     }
     assert_eq!(latex(r"a = b \label{eq:tx}"), "a = b #eq:tx");
+    assert_eq!(latex(r"a = b (eq:tx)"), "a = b #(eq:tx)");
 }
 
 #[test]

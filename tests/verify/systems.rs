@@ -22,6 +22,7 @@ mod matrices;
 mod members;
 mod named_loads;
 mod own_words;
+mod own_writing;
 mod parts;
 mod placed_by_angles;
 mod planes;

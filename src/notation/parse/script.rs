@@ -4,6 +4,19 @@ use super::raised::{skew, tensor_square, vee, wrap};
 use super::{Parser, text};
 use crate::notation::ast::{Bracket, FrameLabel, Function, Kind, Node, Symbol};
 use crate::notation::token::{Lexeme, Token};
+use crate::source::Span;
+
+/// A bracket with a prime: a rate, where a sentence says that a prime is one.
+fn primed(bracket: Node, span: Span) -> Node {
+    let label = FrameLabel {
+        text: PRIME.into(),
+        span,
+    };
+    super::frame_label::in_frame(super::letter::dotted(bracket, 1), label)
+}
+
+/// The label of a rate that is written with a prime.
+const PRIME: &str = "\u{2032}";
 
 /// Why a prime is not read.
 pub(super) const PRIMED: &str =
@@ -54,8 +67,10 @@ impl<'t, 'a> Parser<'t, 'a> {
                 Some(Lexeme::Space(_)) if self.space_leads_a_prime() => self.at += 1,
                 Some(Lexeme::Char('\'')) => {
                     self.at += 1;
+                    let bracket = matches!(node.kind, Kind::Group(..));
                     match symbol_of(&mut node) {
                         Some(symbol) => symbol.primes = symbol.primes.saturating_add(1),
+                        None if bracket => node = primed(node, self.since(start)),
                         None => return self.error(PRIMED),
                     }
                 }

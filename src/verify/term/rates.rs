@@ -116,9 +116,14 @@ impl Lowering<'_> {
         if let Some(Effect::RateSeenFrom(frame)) = self.effect_of(label, true) {
             return Ok(frame);
         }
-        // The ring over a vector has the label of turning axes: a sentence says which these are.
-        if label == "'"
-            && let Some(Effect::RateSeenFrom(frame)) = self.letters.mark(Mark::Ring, self.at)
+        // A ring over a vector and a prime behind a bracket have labels of their own: a sentence says what these mean.
+        let mark = match label {
+            "'" => Some(Mark::Ring),
+            "\u{2032}" => Some(Mark::Prime),
+            _ => None,
+        };
+        if let Some(mark) = mark
+            && let Some(Effect::RateSeenFrom(frame)) = self.letters.mark(mark, self.at)
         {
             return Ok(*frame);
         }

@@ -195,6 +195,11 @@ impl Lowering<'_> {
         let Some((axes, frame)) = self.axes_of_label(label) else {
             return Ok(None);
         };
+        // A component is no vector: one drawn as such has a number of its own, unless sentences tell of the letter without it.
+        let text = print::latex(&symbol_node(base));
+        if base.style.vector && self.known.shapes.contains_key(&text) && !self.is_said(base) {
+            return Ok(None);
+        }
         let Some((value, own)) = self.known(base)? else {
             return Ok(None);
         };
@@ -203,6 +208,12 @@ impl Lowering<'_> {
         }
         let frame = own.or(frame).unwrap_or(self.letters.component_frame);
         self.entry(&value, &axes, frame).map(Some)
+    }
+
+    /// Whether a sentence tells of a letter here.
+    fn is_said(&self, symbol: &Symbol) -> bool {
+        let (exact, loose) = (spell(symbol, true), spell(symbol, false));
+        self.letters.find(&exact, &loose, self.at, 0).is_some()
     }
 
     /// A component or an entry on the axes of a frame. One label of a tensor is a principal moment.
