@@ -9,6 +9,15 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of, reach_of};
 use crate::verify::term::letters::{Effect, Mark, MarkRule, spelled};
 
+/// The signs of a cross product.
+const CROSSES: [&str; 2] = ["\\times", "\\wedge"];
+
+/// Whether a writing ends with a star that stands before something.
+fn ends_with_star(written: &str) -> bool {
+    let stars = ["\\ast", "\\star", "*"];
+    stars.iter().any(|star| written.trim_end().ends_with(star))
+}
+
 impl Builder<'_> {
     /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".
     pub(super) fn read_operator_rule(
@@ -24,10 +33,15 @@ impl Builder<'_> {
         if effect == Effect::CrossProductMatrix
             && let NotationMeaning::Noun(phrase) = meaning
             && let Some(Term::Formula(of)) = phrase.slot(Slot::Of)
-            && written.trim_end().ends_with("\\times")
+            && CROSSES
+                .iter()
+                .any(|sign| written.trim_end().ends_with(sign))
         {
             let letters = &mut self.reading.letters.crossing;
             letters.extend(node_of(of).map(spelled));
+        } else if effect == Effect::CrossProductMatrix && ends_with_star(written) {
+            // A star between letters is read as a product like any other.
+            self.say_unused(declaration);
         } else if rate && self.names_its_frame(written, &effect) {
             // Its own command says from where the rate is seen.
         } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
