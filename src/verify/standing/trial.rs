@@ -64,7 +64,7 @@ impl Judge<'_> {
         if matches!(without_number(line), Cow::Owned(_)) {
             return None;
         }
-        let links = Chain::default().links(line);
+        let links = Chain::default().links(line, &self.at);
         let [link] = links.as_slice() else {
             return None;
         };
