@@ -18,6 +18,7 @@ mod anaphora;
 mod angles_about;
 mod at_zero;
 mod axes_by_vectors;
+mod at_zero_placed;
 mod bodies;
 mod body_axes;
 mod both;

@@ -105,7 +105,11 @@ fn fixed_in<'d>(statement: &'d Statement, vector: &Term) -> Option<&'d Term> {
 }
 
 /// Against what a frame turns by an angle that is zero under a condition.
-fn turns_by<'d>(statement: &'d Statement, frame: &Term, zero: &Formula) -> Option<&'d Term> {
+pub(super) fn turns_by<'d>(
+    statement: &'d Statement,
+    frame: &Term,
+    zero: &Formula,
+) -> Option<&'d Term> {
     let (subjects, slots) = statement.does("turn")?;
     let by = slot(slots, Slot::By).filter(|_| subjects.contains(frame))?;
     let letter = angle_of_turn(by)?;
@@ -115,7 +119,7 @@ fn turns_by<'d>(statement: &'d Statement, frame: &Term, zero: &Formula) -> Optio
 }
 
 /// The number of an axis of a frame.
-fn number_of(statement: &Statement, along: &Term, frame: &Term) -> Option<usize> {
+pub(super) fn number_of(statement: &Statement, along: &Term, frame: &Term) -> Option<usize> {
     match statement {
         Statement::Is { subjects, what }
             if what.head == "axes" && what.slot(Slot::Of) == Some(frame) && subjects.len() == 3 =>

@@ -4,6 +4,7 @@ use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
 
 use super::axes_by_vectors::name_axes_by_vectors;
+use super::at_zero_placed::place_at_zero;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
@@ -165,6 +166,7 @@ fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
 /// Where bodies end, and where they are joined.
 fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     tell_axes_at_zero(declarations);
+    place_at_zero(declarations);
     tell_hinges(declarations);
     name_ends(declarations);
     begin_rods(declarations, macros);

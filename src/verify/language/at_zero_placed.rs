@@ -1,0 +1,158 @@
+//! "G lies at the distance `$a$` from P along x where `$\theta = 0$`", of what is fixed in a frame that turns by `$\theta$`: it
+//! always lies along that axis of this frame, as a frame and the one against which it turns have the same axes where the angle
+//! is zero.
+
+use super::at_zero::{number_of, turns_by};
+use super::heads::{MASS_CENTRE, VERTICAL};
+use super::planar_axes::axis;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+
+/// Places points along axes of the frame that carries them, and leaves out that axes are the same where a turn between them
+/// is zero.
+pub(crate) fn place_at_zero(declarations: &mut Vec<Declaration>) {
+    for at in 0..declarations.len() {
+        if let Some(told) = placed(&declarations[at].statement, declarations) {
+            declarations[at].statement = told;
+        }
+    }
+    let follows = |d: &Declaration| says_axes_are_same(&d.statement, declarations);
+    let kept = declarations.iter().filter(|d| !follows(d)).cloned();
+    *declarations = kept.collect();
+}
+
+/// The place of a point, without its condition.
+fn placed(statement: &Statement, all: &[Declaration]) -> Option<Statement> {
+    let (subjects, slots) = statement.does("lie")?;
+    let (zero, slots): (Vec<_>, Vec<_>) = slots
+        .iter()
+        .cloned()
+        .partition(|(slot, at)| *slot == Slot::At && at.is_condition());
+    let ([point], [(_, Term::Formula(zero))]) = (subjects, zero.as_slice()) else {
+        return None;
+    };
+    let (from, along) = (slot(&slots, Slot::From)?, slot(&slots, Slot::Along)?);
+    let mut turns = all.iter().filter_map(|d| turn(&d.statement, zero));
+    let (carrier, base) = turns.find(|(carrier, _)| {
+        let own = carried_by(carrier, all);
+        is_fixed(point, &own, all) && is_fixed(from, &own, all)
+    })?;
+    let (number, against) = axis_along(along, base, all)?;
+    let mut own = NounPhrase::new("axis", vec![]);
+    if let Term::Phrase(named) = axis(number, Some(carrier)) {
+        own = *named;
+    }
+    if against {
+        own.adjectives.push("negative");
+    }
+    let others = slots.into_iter().filter(|(slot, _)| *slot != Slot::Along);
+    let along = (Slot::Along, Term::Phrase(Box::new(own)));
+    Some(Statement::Does {
+        subjects: vec![point.clone()],
+        verb: "lie",
+        slots: others.chain([along]).collect(),
+    })
+}
+
+/// What turns against what by an angle that is zero under a condition.
+fn turn<'d>(statement: &'d Statement, zero: &Formula) -> Option<(&'d Term, &'d Term)> {
+    let ([carrier], _) = statement.does("turn")? else {
+        return None;
+    };
+    Some((carrier, turns_by(statement, carrier, zero)?))
+}
+
+/// A frame or a body, and the bodies and frames that are fixed in it.
+fn carried_by<'d>(carrier: &'d Term, all: &'d [Declaration]) -> Vec<&'d Term> {
+    let frames = all.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" => {
+            let own = subjects.iter().filter(move |_| what.slots.len() == 1);
+            let body = what.slot(Slot::FixedIn);
+            own.filter_map(|frame| Some((frame, body?))).collect()
+        }
+        _ => vec![],
+    });
+    let others = frames.filter_map(|(frame, body)| match (frame == carrier, body == carrier) {
+        (true, _) => Some(body),
+        (_, true) => Some(frame),
+        _ => None,
+    });
+    std::iter::once(carrier).chain(others).collect()
+}
+
+/// Whether a point is fixed in one of some things that do not move against each other.
+fn is_fixed(point: &Term, things: &[&Term], all: &[Declaration]) -> bool {
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } if subjects.contains(point) => {
+            let centre = what.head == MASS_CENTRE;
+            let centre = what.all(Slot::Of).filter(|_| centre);
+            centre
+                .chain(what.all(Slot::FixedIn))
+                .any(|of| things.contains(&of))
+        }
+        _ => false,
+    })
+}
+
+/// The number of the axis of a frame along which something is, and whether it goes against that.
+fn axis_along(along: &Term, base: &Term, all: &[Declaration]) -> Option<(usize, bool)> {
+    let own = |along: &Term| {
+        all.iter()
+            .find_map(|d| number_of(&d.statement, along, base))
+    };
+    let Term::Phrase(phrase) = along else {
+        return Some((own(along)?, false));
+    };
+    if phrase.head == "axis" {
+        return match (phrase.slot(Slot::Of)?, phrase.slot(Slot::Which)?) {
+            (of, Term::Numbers(numbers)) if of == base => numbers
+                .first()
+                .map(|number| (*number, phrase.is("negative"))),
+            (of, along) if of == base => Some((own(along)?, phrase.is("negative"))),
+            _ => None,
+        };
+    }
+    if phrase.head != VERTICAL {
+        return None;
+    }
+    let upright = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if what.head == VERTICAL => {
+            let up = direction(what)?;
+            let ([axis], []) = (subjects.as_slice(), what.slots.as_slice()) else {
+                return None;
+            };
+            Some((own(axis)?, up))
+        }
+        _ => None,
+    };
+    let (number, up) = all.iter().find_map(upright)?;
+    Some((number, up != direction(phrase)?))
+}
+
+/// Whether a vertical points up, if it is said.
+fn direction(vertical: &NounPhrase) -> Option<bool> {
+    match (vertical.is("upward"), vertical.is("downward")) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// "The first axis of A and the first axis of N are the same at `$q = 0$`", where A turns relative to N by q.
+fn says_axes_are_same(statement: &Statement, all: &[Declaration]) -> bool {
+    let Statement::Is { subjects, what } = statement else {
+        return false;
+    };
+    let ([one, other], [(Slot::At, Term::Formula(zero))], "same") =
+        (subjects.as_slice(), what.slots.as_slice(), what.head)
+    else {
+        return false;
+    };
+    let same = |own: (&Term, &Term), against: (&Term, &Term)| {
+        let [own, against] = [own, against].map(|(term, of)| axis_along(term, of, all));
+        own.is_some() && own == against
+    };
+    let mut turns = all.iter().filter_map(|d| turn(&d.statement, zero));
+    turns.any(|(carrier, base)| {
+        same((one, carrier), (other, base)) || same((other, carrier), (one, base))
+    })
+}
