@@ -78,6 +78,7 @@ pub(crate) mod shape_axes;
 pub(crate) mod shapes_read;
 pub(crate) mod sizes_read;
 mod small_oscillations;
+pub(crate) mod smooth_read;
 pub(crate) mod step_functions;
 pub(crate) mod steps_read;
 pub(crate) mod surface_read;

@@ -1,38 +1,51 @@
 //! What is absent: loads along several axes, and the mass of a thing.
 
+use super::heads::FRICTION;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 
 /// The nouns of what a thing is without that weighs nothing.
 const MASS: &str = "mass";
 
-/// "The axle has no mass", "the mass of the axle is neglected": the axle is massless.
-pub(super) fn tell_massless(declarations: &mut [Declaration]) {
+/// "The axle has no mass", "the mass of the axle is neglected": the axle is massless. "The track has no friction": it is
+/// smooth.
+pub(super) fn tell_absences(declarations: &mut [Declaration]) {
     for declaration in declarations {
-        let things = match &declaration.statement {
-            Statement::Does {
-                subjects,
-                verb: "have",
-                slots,
-            } => match slots.as_slice() {
-                [(_, Term::Phrase(mass))] if mass.head == MASS && mass.is("no") => subjects.clone(),
-                _ => continue,
-            },
-            Statement::Is { subjects, what } if what.head == "zero" && what.slots.is_empty() => {
-                match subjects.as_slice() {
-                    [Term::Phrase(mass)] if mass.head == MASS => {
-                        mass.all(Slot::Of).cloned().collect()
-                    }
-                    _ => continue,
-                }
+        if let Some((things, without)) = without(&declaration.statement) {
+            declaration.statement = Statement::Is {
+                subjects: things,
+                what: NounPhrase::new(without, vec![]),
+            };
+        }
+    }
+}
+
+/// The things that have something not, and the adjective for that.
+fn without(statement: &Statement) -> Option<(Vec<Term>, &'static str)> {
+    match statement {
+        Statement::Does {
+            subjects,
+            verb: "have",
+            slots,
+        } => match slots.as_slice() {
+            [(_, Term::Phrase(absent))] if absent.is("no") && absent.slots.is_empty() => {
+                let adjective = match absent.head {
+                    MASS => "massless",
+                    FRICTION => "smooth",
+                    _ => return None,
+                };
+                Some((subjects.clone(), adjective))
             }
-            _ => continue,
-        };
-        let massless = NounPhrase::new("massless", vec![]);
-        declaration.statement = Statement::Is {
-            subjects: things,
-            what: massless,
-        };
+            _ => None,
+        },
+        Statement::Is { subjects, what } if what.head == "zero" && what.slots.is_empty() => {
+            let [Term::Phrase(mass)] = subjects.as_slice() else {
+                return None;
+            };
+            let things = mass.all(Slot::Of).cloned().collect();
+            (mass.head == MASS).then_some((things, "massless"))
+        }
+        _ => None,
     }
 }
 

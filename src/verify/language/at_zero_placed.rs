@@ -23,11 +23,9 @@ pub(crate) fn place_at_zero(declarations: &mut Vec<Declaration>) {
 /// The place of a point, without its condition.
 fn placed(statement: &Statement, all: &[Declaration]) -> Option<Statement> {
     let (subjects, slots) = statement.does("lie")?;
-    let (zero, slots): (Vec<_>, Vec<_>) = slots
-        .iter()
-        .cloned()
-        .partition(|(slot, at)| *slot == Slot::At && at.is_condition());
-    let ([point], [(_, Term::Formula(zero))]) = (subjects, zero.as_slice()) else {
+    let [point] = subjects else { return None };
+    let (zero, mut slots) = without_condition(slots);
+    let [(_, Term::Formula(zero))] = zero.as_slice() else {
         return None;
     };
     let (from, along) = (slot(&slots, Slot::From)?, slot(&slots, Slot::Along)?);
@@ -44,13 +42,26 @@ fn placed(statement: &Statement, all: &[Declaration]) -> Option<Statement> {
     if against {
         own.adjectives.push("negative");
     }
-    let others = slots.into_iter().filter(|(slot, _)| *slot != Slot::Along);
-    let along = (Slot::Along, Term::Phrase(Box::new(own)));
+    slots.retain(|(slot, _)| *slot != Slot::Along);
+    slots.push((Slot::Along, Term::Phrase(Box::new(own))));
     Some(Statement::Does {
         subjects: vec![point.clone()],
         verb: "lie",
-        slots: others.chain([along]).collect(),
+        slots,
     })
+}
+
+/// The conditions of a sentence, whether they hang on its verb or on the axis that it names, and what else hangs on its verb.
+fn without_condition(slots: &[(Slot, Term)]) -> (Vec<(Slot, Term)>, Vec<(Slot, Term)>) {
+    let condition = |(slot, at): &(Slot, Term)| *slot == Slot::At && at.is_condition();
+    let (mut conditions, mut others): (Vec<_>, Vec<_>) = slots.iter().cloned().partition(condition);
+    for (slot, axis) in &mut others {
+        if let (Slot::Along, Term::Phrase(axis)) = (slot, axis) {
+            conditions.extend(axis.slots.iter().filter(|said| condition(said)).cloned());
+            axis.slots.retain(|said| !condition(said));
+        }
+    }
+    (conditions, others)
 }
 
 /// What turns against what by an angle that is zero under a condition.

@@ -1,6 +1,6 @@
 //! Declarations: sentences that an author writes, one a line.
 
-use super::absences::{part_absences, tell_massless};
+use super::absences::{part_absences, tell_absences};
 use super::anaphora::{referring, with_it_inside, with_its};
 use super::bodies::introduced;
 use super::both::{Kinds, counting_letters, tell_both, tell_each};
@@ -87,7 +87,7 @@ pub fn read_declarations(
         }
     }
     part_absences(&mut declarations);
-    tell_massless(&mut declarations);
+    tell_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
 }
 

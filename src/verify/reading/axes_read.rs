@@ -350,6 +350,7 @@ impl Builder<'_> {
     /// An axis of a frame, by its name, or as "the third axis of B".
     pub(super) fn axis_of_frame(&self, term: &Term) -> Option<(FrameId, usize)> {
         match term {
+            Term::Phrase(phrase) if phrase.is("negative") => None,
             Term::Phrase(phrase) if phrase.slot(Slot::Along).is_some() => {
                 self.axis_of_frame(phrase.slot(Slot::Along)?)
             }

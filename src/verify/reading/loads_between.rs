@@ -92,7 +92,9 @@ impl Builder<'_> {
             return None;
         };
         let pair = Pair { agent: *agent, on };
-        self.forces_between(pair).next()?;
+        if self.forces_between(pair).next().is_none() && !self.lists_force_between(pair) {
+            return None;
+        }
         let between = self.load_of_pair(FORCE, pair, Some(at))?;
         // Where another force acts there as well it is open which one is meant.
         let loads = self.loads_on(on, at, Lasting::Always);
@@ -121,6 +123,23 @@ impl Builder<'_> {
                 }
                 _ => None,
             })
+    }
+
+    /// Whether a list of the loads on one of two bodies has the force of the other one.
+    fn lists_force_between(&self, pair: Pair) -> bool {
+        self.declarations.iter().any(|d| {
+            let Statement::Premise(premise) = &d.statement else {
+                return false;
+            };
+            let on = premise.slot(Slot::Of).and_then(|of| self.body(of));
+            premise.all(Slot::With).any(|load| match load {
+                Term::Phrase(load) if load.head == FORCE => {
+                    let told = self.acting_pair(load, on);
+                    told == Some(pair) || told == Some(pair.turned())
+                }
+                _ => false,
+            })
+        })
     }
 
     /// The force or the moment of one body on another as a quantity.

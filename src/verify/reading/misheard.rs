@@ -91,8 +91,13 @@ fn is_done_otherwise(verb: &str, slots: &[(Slot, Term)]) -> bool {
     let opposite =
         matches!(verb, "lie" | "place") && slots.iter().any(|(_, how)| how.is_noun(OPPOSITE_TO));
     let strange = |(slot, how): &(Slot, Term)| *slot == Slot::With && !is_plain(how);
-    // About a negative axis a thing turns the other way.
-    let about = |(slot, _): &&(Slot, Term)| verb == "turn" && *slot == Slot::About;
+    // About a negative axis a thing turns the other way, and along one a point lies on the other side.
+    let from = slots.iter().any(|(slot, _)| *slot == Slot::From);
+    let about = |(slot, _): &&(Slot, Term)| match slot {
+        Slot::About => verb == "turn",
+        Slot::Along => verb == "lie" && from,
+        _ => false,
+    };
     let mut others = slots.iter().filter(|slot| !about(slot));
     opposite
         || MOTIONS.contains(&verb) && slots.iter().any(strange)

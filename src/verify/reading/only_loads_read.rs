@@ -12,6 +12,7 @@ use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
+use num_traits::Zero;
 
 /// The loads on a body that a sentence lists, and the one force that nothing tells.
 struct Listed {
@@ -270,10 +271,10 @@ impl Builder<'_> {
             });
         }
         // The moment first: proofs come out where its variables have the lower numbers.
-        if !only_forces {
+        if !only_forces && !self.acts_anywhere(*body, loads) {
             let moment = self.system().rest_of_moment(*body, about, loads, *lasting);
             let moment = self.left_by_loads(moment, (*body, Some(about)), *lasting)?;
-            match self.hinge_of(*body) {
+            match self.hinge_of(listed) {
                 Some(axis) => self.hold(moment.dot(&axis), declaration),
                 None => self.hold_zero(&moment, declaration),
             }
@@ -285,6 +286,19 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// Whether a force on a body that does not turn acts where no sentence tells: of its moment nothing is known, and the
+    /// motion needs none.
+    fn acts_anywhere(&mut self, body: BodyId, loads: &[Load]) -> bool {
+        let ground = self.reading.system.ground;
+        let centre = Some(self.centre_of(body));
+        let Some(frame) = self.reading.system.bodies[body].frame else {
+            return false;
+        };
+        let turns = self.system().angular_velocity(frame, ground) != Vector::zeros();
+        let unplaced = |load: &Load| load.called != Called::Nothing && load.at == centre;
+        !turns && loads.iter().any(unplaced)
+    }
+
     /// What is left of the load on a body by those that are listed.
     fn rest_of_loads(&mut self, listed: &Listed) -> Option<Vector> {
         let (body, lasting) = (listed.body, listed.lasting);
@@ -292,20 +306,42 @@ impl Builder<'_> {
         self.left_by_loads(rest, (body, None), lasting)
     }
 
-    /// The axis about which alone a body turns of whose tensor nobody tells that no hinge is needed to keep it there.
-    fn hinge_of(&mut self, body: BodyId) -> Option<Vector> {
-        let known = &self.reading.system.bodies[body];
-        let frame = known.frame?;
-        let turned = &self.reading.system.frames[frame];
-        let axis = match &turned.turn {
-            Turn::Angle(axis, _) if turned.parent == Some(self.reading.system.ground) => *axis,
-            _ => return None,
+    /// The axis about which alone a body turns, where a hinge keeps it there: of its tensor nobody tells that none is needed,
+    /// or forces at a single point are all that acts on it and its products of inertia call for moments across the axis.
+    fn hinge_of(&mut self, listed: &Listed) -> Option<Vector> {
+        let ground = self.reading.system.ground;
+        let frame = self.reading.system.bodies[listed.body].frame?;
+        let parent = self.reading.system.frames[frame].parent?;
+        // Against what does not turn it turns as against the ground.
+        if self.system().angular_velocity(parent, ground) != Vector::zeros() {
+            return None;
+        }
+        let Turn::Angle(axis, _) = self.reading.system.frames[frame].turn else {
+            return None;
         };
+        let known = &self.reading.system.bodies[listed.body];
         let tensor = known.inertia.iter().flat_map(|tensor| tensor.iter());
         let variables = tensor.flat_map(Fraction::variables);
         let atoms = &self.reading.system.atoms;
         let told = known.inertia.is_some() && variables.into_iter().all(|v| !atoms.is_unknown(v));
-        (!told).then(|| self.system().axis(frame, axis))
+        let skew = known.inertia.as_ref().is_some_and(|tensor| {
+            let mut others = (0..3).filter(|other| *other != axis);
+            others.any(|other| !tensor[(axis, other)].is_zero())
+        });
+        let held = !told || skew && listed.acts_at_one_point(known.centre);
+        held.then(|| self.system().axis(frame, axis))
+    }
+}
+
+impl Listed {
+    /// Whether nothing but forces acts, and those at the mass centre and one other point.
+    fn acts_at_one_point(&self, centre: PointId) -> bool {
+        let open = self.open.iter().map(|(at, _)| Some(*at));
+        let mut places: Vec<Option<PointId>> =
+            self.loads.iter().map(|load| load.at).chain(open).collect();
+        places.retain(|at| *at != Some(centre));
+        places.dedup();
+        places.len() < 2 && !places.contains(&None)
     }
 }
 

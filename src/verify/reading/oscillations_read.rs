@@ -8,6 +8,7 @@ use crate::verify::model::system::Matrix;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::small_oscillations::small_oscillation;
+use num_traits::Zero;
 
 /// The noun of how long an oscillation takes.
 pub(super) const PERIOD: &str = "period";
@@ -33,6 +34,13 @@ impl Builder<'_> {
         if small_oscillation(what).is_some() {
             return Some(());
         }
+        if what.head == PERIOD
+            && self
+                .read_period_of_turn(letter, what, declaration)
+                .is_some()
+        {
+            return Some(());
+        }
         let ([(Slot::Of, of)], []) = (what.slots.as_slice(), what.adjectives.as_slice()) else {
             return None;
         };
@@ -54,6 +62,37 @@ impl Builder<'_> {
                 FREQUENCY => acceleration + x * turn * own,
                 _ => acceleration + x * own,
             },
+            declaration,
+        );
+        Some(())
+    }
+
+    /// "`$T$` is the period of A relative to N": T |ω| = 2π, where ω is constant.
+    fn read_period_of_turn(
+        &mut self,
+        letter: &Formula,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let (of, relative) = match what.slots.as_slice() {
+            [(Slot::Of, of)] => (of, self.reading.system.ground),
+            [(Slot::Of, of), (Slot::RelativeTo, relative)] => (of, self.frame(relative)?),
+            _ => return None,
+        };
+        eprintln!("DBG {of:?} {:?} {relative}", self.frame(of));
+        let of = self.frame(of).filter(|_| what.adjectives.is_empty())?;
+        let omega = self.system().angular_velocity(of, relative);
+        let squared = omega.dot(&omega);
+        eprintln!("DBG {squared:?} {:?}", self.system().atoms.derivative(&squared));
+        if squared.is_zero() || !self.system().atoms.derivative(&squared).is_zero() {
+            return None;
+        }
+        let own = self.constant_of(letter, declaration)?;
+        let atoms = &mut self.system().atoms;
+        atoms.set_positive(&own);
+        let turn = atoms.pi() * whole(2);
+        self.hold(
+            own.clone() * own * squared - turn.clone() * turn,
             declaration,
         );
         Some(())

@@ -1,9 +1,9 @@
 //! Vectors that lie along others: "`$H$` points along Z", "`$\\omega$` is parallel to z".
 
 use crate::mechanics::cross;
-use crate::verify::language::heads::{MOMENT, POSITION, WITHOUT_FRICTION};
+use crate::verify::language::heads::{KEEPS_DIRECTION, MOMENT, POSITION, WITHOUT_FRICTION};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::{AxisPair, BodyId, FrameId, Vector};
+use crate::verify::model::system::{AxisPair, BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::lying_read::axis_of;
@@ -75,12 +75,26 @@ impl Builder<'_> {
                 }
             }
             "move" if self.moves_in_plane(subjects, slots, declaration) => {}
-            "move" | "slide" if self.are_points(subjects) => {
+            "move" | "slide" if self.move_as_points(subjects) => {
                 let read = self.read_moving(subjects, slots, declaration);
                 read.unwrap_or_else(|| self.say_unused(declaration));
             }
             _ => {}
         }
+    }
+
+    /// Whether things move as points do: they are points, or bodies of which a sentence says that they do not turn.
+    pub(super) fn move_as_points(&self, things: &[Term]) -> bool {
+        let keeps_direction = |thing: &Term| {
+            self.declarations.iter().any(|d| {
+                let said = d.statement.does(KEEPS_DIRECTION);
+                said.is_some_and(|(subjects, _)| subjects.contains(thing))
+            })
+        };
+        things.iter().all(|thing| {
+            let alone = std::slice::from_ref(thing);
+            self.are_points(alone) || self.body(thing).is_some() && keeps_direction(thing)
+        })
     }
 
     /// Whether things are points and no bodies with an extent.
@@ -146,13 +160,17 @@ impl Builder<'_> {
         if thing && subjects.iter().all(|s| self.is_position_told(s)) {
             return Some(());
         }
-        let points: Option<Vec<_>> = subjects.iter().map(|subject| self.point(subject)).collect();
+        let points = subjects
+            .iter()
+            .map(|subject| self.moving_point(subject, frame));
+        let points: Option<Vec<_>> = points.collect();
         match (slot, way) {
             (Slot::Along, way) => {
                 let axis = self.axis_vector(way, declaration)?;
-                for point in points? {
+                for (point, mover) in points?.into_iter().zip(subjects) {
                     let velocity = self.system().velocity(point, frame);
                     self.hold_zero(&cross(&axis, &velocity), declaration);
+                    self.hold_smooth_force(mover, &axis, declaration)?;
                 }
             }
             (Slot::In, Term::Phrase(plane)) => {
@@ -165,6 +183,17 @@ impl Builder<'_> {
             _ => return None,
         }
         Some(())
+    }
+
+    /// A point, or the mass centre of a body of which all points move alike, as it does not turn relative to a frame.
+    fn moving_point(&mut self, mover: &Term, frame: FrameId) -> Option<PointId> {
+        if let Some(point) = self.point(mover) {
+            return Some(point);
+        }
+        let body = self.body(mover)?;
+        let own = self.reading.system.bodies[body].frame?;
+        let omega = self.system().angular_velocity(own, frame);
+        (omega == Vector::zeros()).then(|| self.centre_of(body))
     }
 
     /// "P moves relative to A": nothing holds it there.

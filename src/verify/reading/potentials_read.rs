@@ -58,8 +58,9 @@ impl<'a> Builder<'a> {
         let potential = self.potential_of(body, &parts);
         let unknown = potential.is_none() && self.gravity.is_some();
         let works = |d: &Declaration| self.may_do_work(d);
-        // Where a sentence speaks of the potential energy of the body, no other load has one.
-        let told = potential.is_some() && spoken;
+        // Where sentences speak of the potential energy of the body, or of all its parts that have one, no other load has one.
+        let of_parts = || parts.iter().all(|&part| self.speaks_of_potential(part));
+        let told = potential.is_some() && (spoken || of_parts());
         if unknown || !told && self.declarations.iter().any(works) {
             return None;
         }

@@ -127,7 +127,10 @@ impl Builder<'_> {
                 continue;
             }
             let frames: Vec<FrameId> = self.frames_of(what).collect();
-            for formula in formulas(subjects) {
+            // A point that has its letter in dollars is no vector.
+            let vectors = subjects.iter().filter(|term| self.point(term).is_none());
+            let vectors: Vec<Term> = vectors.cloned().collect();
+            for formula in formulas(&vectors) {
                 let value = self.formula_value(formula, declaration);
                 let Some(vector) = value.and_then(|value| value.to_vector().ok()) else {
                     self.say_unused(declaration);

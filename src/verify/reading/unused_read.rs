@@ -91,7 +91,7 @@ impl Builder<'_> {
                     subjects,
                     verb: "move" | "slide",
                     ..
-                } if self.are_points(subjects) => true,
+                } if self.move_as_points(subjects) => true,
                 Statement::Does {
                     subjects,
                     verb: "move",
@@ -174,7 +174,8 @@ impl Builder<'_> {
             || sized
             || resting
             || lost
-            || of_loads;
+            || of_loads
+            || what.head == "smooth" && !subjects.iter().all(|s| self.is_smooth_heard(s));
         let placed = match what.head {
             CORNER => subjects.iter().all(|s| self.is_corner_placed(s)),
             "centre" => self.is_place_of_surface(what.slot(Slot::Of)),
