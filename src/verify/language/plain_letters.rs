@@ -1,5 +1,6 @@
 //! Letters that stand in a sentence as they are, without the signs of a formula: "m is the mass of the disc".
 
+use super::heads::UNIT_VECTOR;
 use super::lexicon::{Class, Lexicon};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
@@ -13,7 +14,7 @@ use std::collections::BTreeSet;
 const OF_LETTERS: [&str; 4] = ["constant", "positive", "small", "nonzero"];
 
 /// What is said of letters and of things.
-const OF_BOTH: [&str; 1] = ["fixed"];
+const OF_BOTH: [&str; 2] = ["fixed", "orthogonal"];
 
 /// Puts formulas in the places of names that sentences say to be quantities, where none says that they are things.
 pub(crate) fn write_letters(declarations: &mut [Declaration], lexicon: &Lexicon, macros: &Macros) {
@@ -41,9 +42,13 @@ pub(crate) fn write_letters(declarations: &mut [Declaration], lexicon: &Lexicon,
     }
 }
 
-/// Whether a noun says what a letter is: a quantity, or that it does not change.
+/// Whether a noun says what a letter is: a quantity, that it does not change, or a unit vector of which other sentences tell
+/// where it points.
 fn is_quantity(what: &NounPhrase, lexicon: &Lexicon) -> bool {
-    lexicon.entry(what.head, &[Class::Noun]).is_some() || OF_LETTERS.contains(&what.head)
+    let direction = what.head == UNIT_VECTOR && what.slots.is_empty();
+    direction
+        || lexicon.entry(what.head, &[Class::Noun]).is_some()
+        || OF_LETTERS.contains(&what.head)
 }
 
 /// "the mass m": the names of a quantity.

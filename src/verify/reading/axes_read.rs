@@ -358,7 +358,6 @@ impl Builder<'_> {
                 let which = phrase.slot(Slot::Which)?;
                 match phrase.slot(Slot::Of) {
                     Some(frame) => Some((self.frame(frame)?, self.number_of_axis(which)?)),
-                    // "the z axis"
                     None => self.axes.get(&name_of(which)?).copied(),
                 }
             }

@@ -4,7 +4,7 @@ use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
-use crate::verify::model::system::Matrix;
+use crate::verify::model::system::{FrameId, Matrix};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::small_oscillations::small_oscillation;
@@ -34,11 +34,7 @@ impl Builder<'_> {
         if small_oscillation(what).is_some() {
             return Some(());
         }
-        if what.head == PERIOD
-            && self
-                .read_period_of_turn(letter, what, declaration)
-                .is_some()
-        {
+        if self.frame_of_period(what).is_some() {
             return Some(());
         }
         let ([(Slot::Of, of)], []) = (what.slots.as_slice(), what.adjectives.as_slice()) else {
@@ -67,24 +63,33 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// "`$T$` is the period of A relative to N": T |ω| = 2π, where ω is constant.
-    fn read_period_of_turn(
-        &mut self,
-        letter: &Formula,
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<()> {
+    /// What turns, and against what, in "the period of A relative to N".
+    pub(super) fn frame_of_period(&self, what: &NounPhrase) -> Option<(FrameId, FrameId)> {
         let (of, relative) = match what.slots.as_slice() {
             [(Slot::Of, of)] => (of, self.reading.system.ground),
             [(Slot::Of, of), (Slot::RelativeTo, relative)] => (of, self.frame(relative)?),
             _ => return None,
         };
-        eprintln!("DBG {of:?} {:?} {relative}", self.frame(of));
-        let of = self.frame(of).filter(|_| what.adjectives.is_empty())?;
+        let plain = what.head == PERIOD && what.adjectives.is_empty();
+        Some((self.frame(of).filter(|_| plain)?, relative))
+    }
+
+    /// "`$T$` is the period of A relative to N": T |ω| = 2π, where ω is constant by all that is told.
+    pub(super) fn hold_period_of_turn(
+        &mut self,
+        subjects: &[Term],
+        (of, relative): (FrameId, FrameId),
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
         let omega = self.system().angular_velocity(of, relative);
-        let squared = omega.dot(&omega);
-        eprintln!("DBG {squared:?} {:?}", self.system().atoms.derivative(&squared));
-        if squared.is_zero() || !self.system().atoms.derivative(&squared).is_zero() {
+        let mut facts = self.facts_so_far();
+        let atoms = &mut self.reading.system.atoms;
+        let squared = facts.normal(atoms, &omega.dot(&omega)).ok()?;
+        let change = atoms.derivative(&squared);
+        if squared.is_zero() || !facts.normal(atoms, &change).ok()?.is_zero() {
             return None;
         }
         let own = self.constant_of(letter, declaration)?;

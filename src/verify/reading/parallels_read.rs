@@ -73,6 +73,12 @@ impl Builder<'_> {
                     let read = self.read_lying_at(subjects, at, declaration);
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
+                if let [(Slot::In, Term::Phrase(plane))] = slots
+                    && subjects.iter().all(|s| matches!(s, Term::Formula(_)))
+                {
+                    let read = self.read_lying_in_plane(subjects, plane, declaration);
+                    read.unwrap_or_else(|| self.say_unused(declaration));
+                }
             }
             "move" if self.moves_in_plane(subjects, slots, declaration) => {}
             "move" | "slide" if self.move_as_points(subjects) => {
@@ -283,6 +289,21 @@ impl Builder<'_> {
             [x, y] if plane.head == "plane" && slot(Slot::Of) => Some(cross(x, y)),
             _ => None,
         }
+    }
+
+    /// "`$e$` lies in the plane of x and y": no component of the vector is across that.
+    fn read_lying_in_plane(
+        &mut self,
+        subjects: &[Term],
+        plane: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let normal = self.normal_of_plane(plane, declaration)?;
+        for subject in subjects {
+            let vector = self.vector(subject, declaration)?;
+            self.hold(vector.dot(&normal), declaration);
+        }
+        Some(())
     }
 
     /// Where vectors point; where forces do is read with the loads.

@@ -7,7 +7,7 @@ use crate::verify::language::heads::{
 };
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Nature, whole};
-use crate::verify::model::system::{PointId, Vector};
+use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
 use crate::verify::reading::working_loads_read::{MOTOR, is_joint};
@@ -67,6 +67,23 @@ impl<'a> Builder<'a> {
         let signed = |v: Quantity| Quantity::Scaled(v.boxed(), whole(sign));
         let terms = std::iter::once(kinetic).chain(potential.map(signed));
         Some(Quantity::Sum(terms.collect()))
+    }
+
+    /// Whether a kinetic energy is that of rotation: with velocities relative to the mass centre it is, and with those relative
+    /// to the frame itself it is what it is without these words. With others none is known.
+    pub(super) fn is_of_rotation(
+        &self,
+        energy: &NounPhrase,
+        relative: FrameId,
+        body: Option<BodyId>,
+    ) -> Option<bool> {
+        match energy.slot(Slot::VelocitiesRelativeTo) {
+            Some(term) if self.frame(term) != Some(relative) => {
+                let centre = self.point(term) == Some(self.centre_of(body?));
+                centre.then_some(true)
+            }
+            _ => Some(energy.head == "kinetic energy of rotation"),
+        }
     }
 
     /// "`$V$` is the potential energy of P."

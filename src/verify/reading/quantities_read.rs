@@ -261,7 +261,7 @@ impl Builder<'_> {
             return self.energy(&moving, relative);
         }
         let (of, body) = (self.whole_of(phrase)?, self.body_of(phrase));
-        let rotation = phrase.head == "kinetic energy of rotation";
+        let rotation = self.is_of_rotation(phrase, relative, body)?;
         let kinetic = Quantity::KineticEnergy {
             of: of.clone(),
             relative,

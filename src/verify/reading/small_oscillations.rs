@@ -43,6 +43,12 @@ impl Builder<'_> {
                 let held = self.hold_small_oscillation(subjects, what.head, of, declaration);
                 held.unwrap_or_else(|| self.say_unused(declaration));
             }
+            if let Statement::Is { subjects, what } = &declaration.statement
+                && let Some(turning) = self.frame_of_period(what)
+            {
+                let held = self.hold_period_of_turn(subjects, turning, declaration);
+                held.unwrap_or_else(|| self.say_unused(declaration));
+            }
         }
     }
 

@@ -130,6 +130,11 @@ impl Builder<'_> {
             body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
         };
         let placed = [Slot::At, Slot::On, Slot::From];
+        // A vector that lies in a plane.
+        let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+        if letters && matches!(slots, [(Slot::In, _)]) {
+            return true;
+        }
         slots.iter().any(|(slot, _)| placed.contains(slot)) || subjects.iter().all(told)
     }
 
