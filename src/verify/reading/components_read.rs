@@ -276,7 +276,7 @@ impl Builder<'_> {
     }
 
     /// The index of "`$\omega_i$` are the components of `$\omega$`", where it numbers axes and names no frame.
-    fn index_of_axes(&self, formula: &Formula) -> Option<String> {
+    pub(super) fn index_of_axes(&self, formula: &Formula) -> Option<String> {
         let Kind::Symbol(symbol) = &node_of(formula)?.kind else {
             return None;
         };

@@ -154,9 +154,10 @@ impl Builder<'_> {
         let letters = &mut self.reading.letters;
         match (sign, meaning) {
             (Sign::Custom("repeated axis index" | "repeated index"), _) => {
-                let summed = *meaning == NotationMeaning::Fixed("summed");
-                let summed = summed.then(|| reach.clone());
-                letters.customs.summed.extend(summed);
+                if let NotationMeaning::Fixed(said @ ("summed" | "not summed")) = meaning {
+                    let summed = (reach.clone(), *said == "summed");
+                    letters.customs.summed.push(summed);
+                }
             }
             (Sign::Operator(_), NotationMeaning::FunctionsOf(of)) => {
                 let of = of.iter().filter_map(node_of).cloned();

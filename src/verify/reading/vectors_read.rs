@@ -12,8 +12,10 @@ use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of_formula, node_of, told};
+use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::{Mark, Meaning, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
+use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{Basis, Shape, Value};
 use num_traits::Zero;
 
@@ -291,7 +293,11 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let mut seen: Vec<(String, usize)> = vec![];
-        for (axis, formula) in formulas(subjects).take(3).enumerate() {
+        let told: Vec<Formula> = match subjects {
+            [Term::Formula(indexed)] => self.each_of_axes(indexed),
+            _ => formulas(subjects).take(3).cloned().collect(),
+        };
+        for (axis, formula) in told.iter().enumerate() {
             let spelled = node_of(formula).map(spelled).unwrap_or_default();
             let own = entry_of(tensor, axis, axis, on);
             match seen.iter().find(|(s, _)| *s == spelled) {
@@ -302,6 +308,19 @@ impl Builder<'_> {
                 None => self.denote(formula, Meaning::Quantity(own), declaration),
             }
             seen.push((spelled, axis));
+        }
+    }
+
+    /// "`$I_i$`", where `$i$` numbers axes: `$I_1$`, `$I_2$` and `$I_3$`; another letter is alone.
+    fn each_of_axes(&self, indexed: &Formula) -> Vec<Formula> {
+        let node = node_of(indexed).map(|node| &node.kind);
+        match (node, self.index_of_axes(indexed)) {
+            (Some(Kind::Symbol(symbol)), Some(_)) => {
+                let each = LABELS[0].into_iter();
+                each.map(|number| Formula::of(&symbol_node(&with_number(symbol, number))))
+                    .collect()
+            }
+            _ => vec![indexed.clone()],
         }
     }
 

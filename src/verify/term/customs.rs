@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Customs of writing.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Customs {
-    /// A repeated axis index is summed.
-    pub(crate) summed: Vec<Reach>,
+    /// Where a repeated axis index is summed, and where it is not.
+    pub(crate) summed: Vec<(Reach, bool)>,
     /// A frame written above a letter takes components on it.
     pub(crate) raised_frames: bool,
     /// A frame written above a dotted letter says from where its rate is seen.
@@ -65,6 +65,10 @@ impl Customs {
 
     /// Whether an index that stands twice is summed over at a place.
     pub(crate) fn sums_at(&self, at: &At) -> bool {
-        self.summed.iter().any(|reach| reach.covers(at, 0))
+        let said = |sums: bool| {
+            let mut said = self.summed.iter().filter(|(_, summed)| *summed == sums);
+            said.any(|(reach, _)| reach.covers(at, 0))
+        };
+        said(true) && !said(false)
     }
 }

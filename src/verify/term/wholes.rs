@@ -24,7 +24,11 @@ impl Letters {
         let mut reaches = letters.chain(rules);
         self.means.is_empty()
             && self.customs.dimensions.is_empty()
-            && self.customs.summed.iter().all(|reach| *reach == Reach::All)
+            && self
+                .customs
+                .summed
+                .iter()
+                .all(|said| *said == (Reach::All, true))
             && reaches.all(|reach| *reach == Reach::All)
     }
 }
