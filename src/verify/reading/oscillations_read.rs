@@ -8,6 +8,9 @@ use crate::verify::model::system::{FrameId, Matrix};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::small_oscillations::small_oscillation;
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::Value;
 use num_traits::Zero;
 
 /// The noun of how long an oscillation takes.
@@ -92,14 +95,10 @@ impl Builder<'_> {
         if squared.is_zero() || !facts.normal(atoms, &change).ok()?.is_zero() {
             return None;
         }
-        let own = self.constant_of(letter, declaration)?;
         let atoms = &mut self.system().atoms;
-        atoms.set_positive(&own);
-        let turn = atoms.pi() * whole(2);
-        self.hold(
-            own.clone() * own * squared - turn.clone() * turn,
-            declaration,
-        );
+        let (root, turn) = (atoms.root(&squared)?, atoms.pi() * whole(2));
+        let known = Quantity::Known(Value::scalar(turn / root));
+        self.denote(letter, Meaning::Quantity(known), declaration);
         Some(())
     }
 

@@ -177,6 +177,7 @@ impl Builder<'_> {
                     let velocity = self.system().velocity(point, frame);
                     self.hold_zero(&cross(&axis, &velocity), declaration);
                     self.hold_smooth_force(mover, &axis, declaration)?;
+                    self.hold_push_along(&axis, way, declaration)?;
                 }
             }
             (Slot::In, Term::Phrase(plane)) => {

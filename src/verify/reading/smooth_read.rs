@@ -1,10 +1,13 @@
 //! Smooth tracks: their force on what moves along them has no component along the motion.
 
+use crate::mechanics::cross;
 use crate::verify::language::heads::FORCE;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
 
+/// What drives along.
+const PUSH: &str = "thrust";
 /// The adjective of what has no friction.
 const SMOOTH: &str = "smooth";
 /// What is smooth where it joins bodies: its moments vanish, and not a component of its force.
@@ -26,6 +29,32 @@ impl Builder<'_> {
             let force = self.quantity(&NounPhrase::new(FORCE, slots), declaration)?;
             let force = self.system().value_of(&force).ok()?.to_vector().ok()?;
             self.hold(force.dot(axis), declaration);
+        }
+        Some(())
+    }
+
+    /// "`$F$` is the component along x of the push on the cart", which moves along x: where no sentence tells another component
+    /// of it, there is none.
+    pub(super) fn hold_push_along(
+        &mut self,
+        axis: &Vector,
+        along: &Term,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let components = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == "component" => match what.slot(Slot::Of)? {
+                Term::Phrase(load) if load.head == PUSH => Some((load, what.slot(Slot::Along))),
+                _ => None,
+            },
+            _ => None,
+        });
+        let told: Vec<(NounPhrase, bool)> = components
+            .map(|(load, way)| ((**load).clone(), way == Some(along)))
+            .collect();
+        if let [(push, true)] = told.as_slice() {
+            let push = self.quantity(push, declaration)?;
+            let push = self.system().value_of(&push).ok()?.to_vector().ok()?;
+            self.hold_zero(&cross(axis, &push), declaration);
         }
         Some(())
     }
