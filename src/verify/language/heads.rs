@@ -175,6 +175,10 @@ pub(crate) const MASS_MATRIX: &str = "mass matrix";
 pub(crate) const IDENTITY_MATRIX: &str = "identity matrix";
 /// The energy that a body would have as a particle at its mass centre.
 pub(crate) const ENERGY_OF_TRANSLATION: &str = "kinetic energy of translation";
+/// The noun of what is left of a kinetic energy without that of the mass centre.
+pub(crate) const ENERGY_OF_ROTATION: &str = "kinetic energy of rotation";
+/// The meaning of an index over which there is no sum.
+pub(crate) const NOT_SUMMED: &str = "not summed";
 /// What the square of a letter means that is a vector.
 pub(crate) const SQUARE_OF_VECTOR: &str = "square of a vector";
 /// The matrix of a turn by an angle about a vector.
@@ -280,6 +284,7 @@ mod tests {
             MASS_MATRIX,
             IDENTITY_MATRIX,
             ENERGY_OF_TRANSLATION,
+            ENERGY_OF_ROTATION,
             SQUARE_OF_VECTOR,
             NOTHING,
             BOLD_LETTER,

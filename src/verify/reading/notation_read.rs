@@ -6,6 +6,9 @@ use crate::verify::language::heads::{
     INSTANT, INVERSE_MAP, NOTHING, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT,
     RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
     UNDERBRACE, VECTORS_SIDE_BY_SIDE,
+    INSTANT, INVERSE_MAP, NOT_SUMMED, NOTHING, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT,
+    QUATERNION_PRODUCT, RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR,
+    TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -154,7 +157,7 @@ impl Builder<'_> {
         let letters = &mut self.reading.letters;
         match (sign, meaning) {
             (Sign::Custom("repeated axis index" | "repeated index"), _) => {
-                if let NotationMeaning::Fixed(said @ ("summed" | "not summed")) = meaning {
+                if let NotationMeaning::Fixed(said @ ("summed" | NOT_SUMMED)) = meaning {
                     let summed = (reach.clone(), *said == "summed");
                     letters.customs.summed.push(summed);
                 }

@@ -174,10 +174,7 @@ impl Builder<'_> {
             (Slot::Along, way) => {
                 let axis = self.axis_vector(way, declaration)?;
                 for (point, mover) in points?.into_iter().zip(subjects) {
-                    let velocity = self.system().velocity(point, frame);
-                    self.hold_zero(&cross(&axis, &velocity), declaration);
-                    self.hold_smooth_force(mover, &axis, declaration)?;
-                    self.hold_push_along(&axis, way, declaration)?;
+                    self.hold_along(point, mover, (&axis, way), frame, declaration)?;
                 }
             }
             (Slot::In, Term::Phrase(plane)) => {
@@ -201,6 +198,21 @@ impl Builder<'_> {
         let own = self.reading.system.bodies[body].frame?;
         let omega = self.system().angular_velocity(own, frame);
         (omega == Vector::zeros()).then(|| self.centre_of(body))
+    }
+
+    /// What moves along an axis has no velocity across it, and what is smooth there does not hold it back.
+    fn hold_along(
+        &mut self,
+        point: PointId,
+        mover: &Term,
+        (axis, way): (&Vector, &Term),
+        frame: FrameId,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let velocity = self.system().velocity(point, frame);
+        self.hold_zero(&cross(axis, &velocity), declaration);
+        self.hold_smooth_force(mover, axis, declaration)?;
+        self.hold_push_along(axis, way, declaration)
     }
 
     /// "P moves relative to A": nothing holds it there.

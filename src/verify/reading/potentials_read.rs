@@ -3,7 +3,8 @@
 use crate::algebra::{Fraction, Variable, compose};
 use crate::notation::document::Row;
 use crate::verify::language::heads::{
-    CONTACT_FORCE, FORCE, FRICTION, HEIGHT, NORMAL_FORCE, OF_LOADS, OF_POTENTIALS, WEIGHT,
+    CONTACT_FORCE, ENERGY_OF_ROTATION, FORCE, FRICTION, HEIGHT, NORMAL_FORCE, OF_LOADS,
+    OF_POTENTIALS, WEIGHT,
 };
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{Nature, whole};
@@ -82,7 +83,7 @@ impl<'a> Builder<'a> {
                 let centre = self.point(term) == Some(self.centre_of(body?));
                 centre.then_some(true)
             }
-            _ => Some(energy.head == "kinetic energy of rotation"),
+            _ => Some(energy.head == ENERGY_OF_ROTATION),
         }
     }
 

@@ -1,9 +1,10 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_TRANSLATION, FORCE, FRICTION,
-    IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT, MOMENT_OF_INERTIA,
-    NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE, VECTOR_PART,
+    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_ROTATION, ENERGY_OF_TRANSLATION, FORCE,
+    FRICTION, IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT,
+    MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE,
+    VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -279,7 +280,7 @@ impl Builder<'_> {
             }
             // About a point that is fixed in the body and in space all energy is that of rotation; about another one than the
             // mass centre it is another.
-            KINETIC_ENERGY | "kinetic energy of rotation" => match phrase.slot(Slot::About) {
+            KINETIC_ENERGY | ENERGY_OF_ROTATION => match phrase.slot(Slot::About) {
                 None => Some(kinetic),
                 Some(about) => {
                     let about = self.point(about)?;
