@@ -2,9 +2,8 @@
 
 use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
-
-use super::axes_by_vectors::name_axes_by_vectors;
 use super::at_zero_placed::place_at_zero;
+use super::axes_by_vectors::name_axes_by_vectors;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;

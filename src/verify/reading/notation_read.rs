@@ -3,12 +3,9 @@
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
     COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FRAME_BEFORE_RATE, FULL_STOP,
-    INSTANT, INVERSE_MAP, NOTHING, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT, QUATERNION_PRODUCT,
-    RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
-    UNDERBRACE, VECTORS_SIDE_BY_SIDE,
-    INSTANT, INVERSE_MAP, NOT_SUMMED, NOTHING, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT,
-    QUATERNION_PRODUCT, RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR,
-    TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE,
+    INSTANT, INVERSE_MAP, NOT_SUMMED, NOTHING, QUATERNION_DOT, QUATERNION_PRODUCT, RATE_FROM_FRAME,
+    ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE,
+    VECTORS_SIDE_BY_SIDE,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
@@ -20,6 +17,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, are_products, index_letter, name_of, node_of, reach_of,
 };
+use crate::verify::reading::operators_read::{component_of_cross, is_quaternion_product};
 use crate::verify::term::labels::{plain, without_commands};
 use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
 
@@ -201,16 +199,7 @@ impl Builder<'_> {
             return;
         }
         if let Some(component) = component_of_cross(sign, meaning) {
-            let along = component.slot(Slot::Along).cloned();
-            let axis = along.and_then(|along| self.direction(&along, declaration, None));
-            match axis {
-                Some(axis) => {
-                    let products = &mut self.reading.letters.customs.products;
-                    products.across.push((reach, axis));
-                }
-                None => self.say_unused(declaration),
-            }
-            return;
+            return self.read_cross_across(component, declaration);
         }
         let Some(effect) = self.effect(meaning) else {
             return self.say_unused(declaration);
@@ -424,36 +413,6 @@ fn has_outer_product(formula: &Formula) -> bool {
     let outer = |f: &Factor| f.operator == Operator::Tensor;
     match node_of(formula).map(|node| &node.kind) {
         Some(Kind::Product(factors)) => factors.iter().any(outer),
-        _ => false,
-    }
-}
-
-/// "`$\\times$` means the component of the cross product along z", "`$a\\times b$` means its component along z".
-fn component_of_cross<'m>(sign: &Sign, meaning: &'m NotationMeaning) -> Option<&'m NounPhrase> {
-    let (Sign::Operator(written), NotationMeaning::Noun(what)) = (sign, meaning) else {
-        return None;
-    };
-    let cross = |f: &Factor| f.operator == Operator::Cross;
-    let crosses = written.source.trim() == "\\times"
-        || match node_of(written).map(|node| &node.kind) {
-            Some(Kind::Product(factors)) => factors.iter().any(cross),
-            _ => false,
-        };
-    let own = match what.slot(Slot::Of) {
-        None => true,
-        Some(Term::Phrase(of)) => of.head == "cross product",
-        Some(of) => of == &Term::Formula(written.clone()),
-    };
-    (crosses && own && what.head == "component").then_some(what)
-}
-
-/// "A dot between quaternions means the quaternion product", "quaternions side by side mean …".
-fn is_quaternion_product(sign: &Sign, meaning: &NotationMeaning) -> bool {
-    match (sign, meaning) {
-        (Sign::Custom(between), NotationMeaning::Noun(product)) => {
-            [QUATERNION_DOT, PRODUCT_OF_QUATERNIONS].contains(between)
-                && product.head == QUATERNION_PRODUCT
-        }
         _ => false,
     }
 }

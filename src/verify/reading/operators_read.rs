@@ -1,7 +1,10 @@
 //! Rules for operators: d/dt, δ/δt, `a\times`, and commands of the author.
 
-use crate::notation::ast::{DerivativeStyle, Kind, Node};
-use crate::verify::language::heads::{DERIVATIVE, PARTIAL_DERIVATIVE};
+use crate::notation::ast::{DerivativeStyle, Factor, Kind, Node, Operator};
+use crate::verify::language::heads::{
+    CROSS_PRODUCT, DERIVATIVE, PARTIAL_DERIVATIVE, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT,
+    QUATERNION_PRODUCT,
+};
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
@@ -53,6 +56,16 @@ impl Builder<'_> {
         } else if rate || node_of(formula).is_none() {
             self.say_unused(declaration);
         }
+    }
+
+    /// The cross product of vectors of a plane is its component across that.
+    pub(super) fn read_cross_across(&mut self, component: &NounPhrase, said: &Declaration) {
+        let along = component.slot(Slot::Along);
+        let Some(axis) = along.and_then(|along| self.direction(along, said, None)) else {
+            return self.say_unused(said);
+        };
+        let products = &mut self.reading.letters.customs.products;
+        products.across.push((reach_of(&said.extent), axis));
     }
 
     /// Whether an operator is a command of the author that ends with the name of the frame: `\ddtA`.
@@ -145,5 +158,38 @@ pub(super) fn if_rates_are_told_apart(said: Declaration, all: &[Declaration]) ->
             said.not_understood()
         }
         _ => said,
+    }
+}
+
+/// "`$\times$` means the component of the cross product along z", "`$a\times b$` means its component along z".
+pub(super) fn component_of_cross<'m>(
+    sign: &Sign,
+    meaning: &'m NotationMeaning,
+) -> Option<&'m NounPhrase> {
+    let (Sign::Operator(written), NotationMeaning::Noun(what)) = (sign, meaning) else {
+        return None;
+    };
+    let cross = |f: &Factor| f.operator == Operator::Cross;
+    let crosses = written.source.trim() == "\\times"
+        || match node_of(written).map(|node| &node.kind) {
+            Some(Kind::Product(factors)) => factors.iter().any(cross),
+            _ => false,
+        };
+    let own = match what.slot(Slot::Of) {
+        None => true,
+        Some(Term::Phrase(of)) => of.head == CROSS_PRODUCT,
+        Some(of) => of == &Term::Formula(written.clone()),
+    };
+    (crosses && own && what.head == "component").then_some(what)
+}
+
+/// "A dot between quaternions means the quaternion product", "quaternions side by side mean …".
+pub(super) fn is_quaternion_product(sign: &Sign, meaning: &NotationMeaning) -> bool {
+    match (sign, meaning) {
+        (Sign::Custom(between), NotationMeaning::Noun(product)) => {
+            [QUATERNION_DOT, PRODUCT_OF_QUATERNIONS].contains(between)
+                && product.head == QUATERNION_PRODUCT
+        }
+        _ => false,
     }
 }

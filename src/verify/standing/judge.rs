@@ -244,9 +244,8 @@ impl<'a> Judge<'a> {
         self.enter_space();
         self.keep_from_instants();
         self.take_jacobians();
-        let purpose = self.purpose_of(line, &links, display);
         let held = self.hold_line(line, &links);
-        let purpose = self.unless_it_relates(purpose, &held);
+        let purpose = self.unless_it_relates(self.purpose_of(line, &links, display), &held);
         if named && held.iter().any(|h| h.standing != Standing::Entailed) {
             return;
         }

@@ -227,9 +227,11 @@ impl Lowering<'_> {
                     .find(&spelled(node), &loosely(node), self.at, 1)
             };
             has_hat(node)
-                || told().is_some_and(|letter| match &letter.meaning {
-                    Meaning::Quantity(Quantity::Axis(..) | Quantity::UnitVector { .. }) => true,
-                    _ => false,
+                || told().is_some_and(|letter| {
+                    matches!(
+                        &letter.meaning,
+                        Meaning::Quantity(Quantity::Axis(..) | Quantity::UnitVector { .. })
+                    )
                 })
         };
         self.letters.customs.products.dyads || unit(left) && unit(right)
