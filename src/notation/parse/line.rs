@@ -157,7 +157,7 @@ fn trailing_label(tokens: &mut Vec<Token<'_>>) -> Option<String> {
         .iter()
         .any(|t| matches!(t.kind, Lexeme::Space(width) if width >= 18));
     let set_apart = dashes >= 2 || dots || gap || is_numbered(lead, &label);
-    if !(set_apart && super::text::is_label(&label)) && !super::text::is_named_label(&label) {
+    if !(super::text::is_named_label(&label) || set_apart && super::text::is_label(&label)) {
         return None;
     }
     tokens.truncate(start);

@@ -51,8 +51,11 @@ fn placed(statement: &Statement, all: &[Declaration]) -> Option<Statement> {
     })
 }
 
+/// What hangs on a verb.
+type Slots = Vec<(Slot, Term)>;
+
 /// The conditions of a sentence, whether they hang on its verb or on the axis that it names, and what else hangs on its verb.
-fn without_condition(slots: &[(Slot, Term)]) -> (Vec<(Slot, Term)>, Vec<(Slot, Term)>) {
+fn without_condition(slots: &[(Slot, Term)]) -> (Slots, Slots) {
     let condition = |(slot, at): &(Slot, Term)| *slot == Slot::At && at.is_condition();
     let (mut conditions, mut others): (Vec<_>, Vec<_>) = slots.iter().cloned().partition(condition);
     for (slot, axis) in &mut others {

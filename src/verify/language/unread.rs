@@ -5,7 +5,7 @@ use super::lexicon::Class;
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
-use super::statement::{Formula, Sign, Touched};
+use super::statement::{Formula, Sign, Slot, Touched};
 use super::words::{Kind, Token};
 use crate::notation::ast::{Kind as Tree, Node, Operator};
 use crate::notation::document::Row;
@@ -24,6 +24,36 @@ const OF_WHAT_IT_IS: [&str; 5] = ["of", "with", "as", "with axes", "with edges"]
 
 /// Words that take something back.
 const DENYING: [&str; 6] = ["not", "no", "never", "except", "unless", "without"];
+
+/// Words of what is not as bodies, frames and angles are by default.
+const RETRACTING: [&str; 21] = [
+    "left-handed",
+    "handed",
+    "elastic",
+    "flexible",
+    "deformable",
+    "deforms",
+    "fluid",
+    "liquid",
+    "hole",
+    "hollow",
+    "cut",
+    "removed",
+    "half",
+    "quarter",
+    "part",
+    "oblique",
+    "clockwise",
+    "means",
+    "mean",
+    "denotes",
+    "stands",
+];
+
+/// Words that begin what holds for a while.
+const CONDITIONS: [&str; 9] = [
+    "while", "when", "whenever", "if", "until", "once", "after", "before", "during",
+];
 
 /// The signs that a sentence speaks of, and whether it may be a rule beside them.
 #[derive(Default)]
@@ -59,7 +89,8 @@ impl Reader<'_> {
         self.at = start;
         let things = !sign_first && self.is_about_things();
         // How things move and what acts on them changes no letter but those that tell of it.
-        let moving = things && !of_a_part && self.says_what_a_thing_does();
+        let adds = things && self.says_what_a_thing_does() || !sign_first && self.adds_a_premise();
+        let moving = adds && !of_a_part;
         let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
         self.at = start;
         let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
@@ -149,6 +180,44 @@ impl Reader<'_> {
             false => !OWNING.contains(&name),
         };
         !denies && does.is_some_and(|verb| is(verb.entry.name))
+    }
+
+    /// Whether it tells of which kind a body or a point is, what a load does or is, or what holds under a condition: that adds
+    /// to what is known. What would take back what is assumed of all things of a kind does not.
+    fn adds_a_premise(&mut self) -> bool {
+        let start = self.at;
+        let words = self.tokens[start..].iter().map(|t| t.lower.as_str());
+        let takes_back = |word: &str| DENYING.contains(&word) || RETRACTING.contains(&word);
+        if words.into_iter().any(takes_back) || self.at_formula() {
+            return false;
+        }
+        let conditional = CONDITIONS.contains(&self.word());
+        let adds = conditional || self.begins_with_load() || self.says_of_which_kind();
+        self.at = start;
+        adds
+    }
+
+    /// "The lift …", "the force of the hoop …"
+    fn begins_with_load(&mut self) -> bool {
+        let article = self.take_any(&ARTICLES);
+        let noun = self.find(&[Class::Noun]);
+        article && noun.is_some_and(|noun| noun.entry.slot("on") == Some(Slot::Upon))
+    }
+
+    /// "… is a particle …", "… are two thin rods …"
+    fn says_of_which_kind(&mut self) -> bool {
+        let copula = (self.at..self.tokens.len())
+            .find(|&at| COPULAS.contains(&self.tokens[at].lower.as_str()));
+        let Some(copula) = copula else {
+            return false;
+        };
+        self.at = copula + 1;
+        self.take_any(&ARTICLES);
+        while let Some(adjective) = self.find(&[Class::Adjective]) {
+            self.at += adjective.length;
+        }
+        let kind = self.find(&[Class::Thing, Class::Place]);
+        kind.is_some_and(|kind| kind.entry.class == Class::Thing || kind.entry.name == "point")
     }
 
     /// Whether the name of a sign comes next.
