@@ -113,6 +113,7 @@ mod turns;
 mod unread;
 pub(crate) mod wants;
 mod weights;
+mod wheels_on_axes;
 mod wholes_by_plurals;
 mod words;
 

@@ -13,6 +13,7 @@ mod incline;
 mod instants;
 mod integrals;
 mod joint_loads;
+mod labels_and_moments;
 mod letters;
 mod lists_and_asides;
 mod loads;

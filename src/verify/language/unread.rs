@@ -50,6 +50,11 @@ const RETRACTING: [&str; 21] = [
     "stands",
 ];
 
+/// What there may be none of.
+const NOTHINGS: [&str; 9] = [
+    "work", "friction", "mass", "moment", "moments", "torque", "force", "forces", "slipping",
+];
+
 /// Words that begin what holds for a while.
 const CONDITIONS: [&str; 9] = [
     "while", "when", "whenever", "if", "until", "once", "after", "before", "during",
@@ -186,9 +191,19 @@ impl Reader<'_> {
     /// to what is known. What would take back what is assumed of all things of a kind does not.
     fn adds_a_premise(&mut self) -> bool {
         let start = self.at;
-        let words = self.tokens[start..].iter().map(|t| t.lower.as_str());
-        let takes_back = |word: &str| DENYING.contains(&word) || RETRACTING.contains(&word);
-        if words.into_iter().any(takes_back) || self.at_formula() {
+        let words: Vec<&str> = self.tokens[start..]
+            .iter()
+            .map(|t| t.lower.as_str())
+            .collect();
+        // That something has no mass and does no work adds to what is known.
+        let nothing = |at: usize| {
+            words
+                .get(at + 1)
+                .is_some_and(|word| NOTHINGS.contains(word))
+        };
+        let denies = |at: usize| DENYING.contains(&words[at]) && !nothing(at);
+        let takes_back = |at: usize| denies(at) || RETRACTING.contains(&words[at]);
+        if (0..words.len()).any(takes_back) || self.at_formula() {
             return false;
         }
         let conditional = CONDITIONS.contains(&self.word());

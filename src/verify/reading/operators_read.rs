@@ -10,6 +10,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of, reach_of};
+use crate::verify::term::labels::without_commands;
 use crate::verify::term::letters::{Effect, Mark, MarkRule, spelled};
 
 /// The signs of a cross product.
@@ -47,6 +48,11 @@ impl Builder<'_> {
             self.say_unused(declaration);
         } else if rate && self.names_its_frame(written, &effect) {
             // Its own command says from where the rate is seen.
+        } else if let Some(label) = frame_before_rate(written) {
+            // What is said of a rate with a frame beside it is said of no other.
+            if !self.is_seen_from(&effect, &label) {
+                self.say_unused(declaration);
+            }
         } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
             self.reading.letters.marks.push(MarkRule {
                 mark,
@@ -66,6 +72,17 @@ impl Builder<'_> {
         };
         let products = &mut self.reading.letters.customs.products;
         products.across.push((reach_of(&said.extent), axis));
+    }
+
+    /// Whether an effect is a rate seen from the frame of this name.
+    fn is_seen_from(&self, effect: &Effect, label: &str) -> bool {
+        match effect {
+            Effect::RateSeenFrom(frame) => {
+                let name = &self.reading.system.frames[*frame].name;
+                name.trim_end_matches("~cal") == label
+            }
+            _ => false,
+        }
     }
 
     /// Whether an operator is a command of the author that ends with the name of the frame: `\ddtA`.
@@ -192,4 +209,12 @@ pub(super) fn is_quaternion_product(sign: &Sign, meaning: &NotationMeaning) -> b
         }
         _ => false,
     }
+}
+
+/// The frame that is written at the upper left of a rate: the b of `\frac{{}^b d^2}{dt^2}`.
+fn frame_before_rate(written: &str) -> Option<String> {
+    let mut plain = without_commands(written);
+    plain.retain(|c| !c.is_whitespace() && !"{}".contains(c));
+    let (label, _) = plain.strip_prefix('^')?.split_once('d')?;
+    (!label.is_empty()).then(|| label.to_owned())
 }

@@ -5,7 +5,7 @@ use crate::notation::ast::{Bracket, Kind, Node, Operator as Sign, Symbol};
 use crate::notation::print;
 use crate::verify::model::system::{Matrix, System};
 use crate::verify::term::functions::sum_of_calls;
-use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spelled};
+use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spell, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
@@ -148,6 +148,39 @@ impl Lowering<'_> {
         turned.map(|(matrix, _)| matrix)
     }
 
+    /// The transpose of a formula; of `r(r)^T` with two vectors only that of the second.
+    pub(super) fn transpose(&mut self, inner: &Node) -> Valued {
+        if let Kind::Call(head, arguments) = &inner.kind
+            && let ([argument], Kind::Symbol(_)) = (arguments.as_slice(), &head.kind)
+            && !self.is_function(head)
+        {
+            let (left, right) = (self.value(head)?, self.value(argument)?);
+            if left.is_vector() && right.is_vector() {
+                let custom = self.custom();
+                return self.system.times(&left, &right.transposed(), custom);
+            }
+        }
+        let value = self.value(inner)?;
+        // A list is a column already.
+        Ok(match is_list(inner) && value.is_vector() {
+            true => value,
+            false => value.transposed(),
+        })
+    }
+
+    /// Whether sentences tell of a letter that has a label at the upper right without it.
+    fn is_told_without_label(&self, letter: &Node) -> bool {
+        let Kind::Symbol(symbol) = &letter.kind else {
+            return false;
+        };
+        let mut bare = symbol.clone();
+        let (exact, loose) = match bare.superscripts.pop() {
+            Some(_) => (spell(&bare, true), spell(&bare, false)),
+            None => return false,
+        };
+        self.letters.find(&exact, &loose, self.at, 0).is_some()
+    }
+
     /// `R(a)^T`, `W(v)^2`: what the operator or the function gives is raised, and not what it acts on.
     pub(super) fn raised_call(&self, run: &[&Node]) -> Option<Node> {
         let [letter, raised, ..] = run else {
@@ -161,7 +194,8 @@ impl Lowering<'_> {
             .find(&spelled(letter), &loosely(letter), self.at, 0);
         let applied = match known {
             Some(known) => matches!(known.meaning, Meaning::Operator(_)),
-            None => self.is_function(letter),
+            // `r^b`, where the label only says on which axes, is no more of a function than r is.
+            None => self.is_function(letter) && !self.is_told_without_label(letter),
         };
         if !applied {
             return None;
@@ -218,4 +252,13 @@ pub(crate) fn text_of_function(symbol: &Symbol, arguments: &[Node]) -> String {
     let arguments: Vec<String> = arguments.iter().map(print::latex).collect();
     let head = print::latex(&symbol_node(symbol));
     format!("{head}({})", arguments.join(", "))
+}
+
+/// Whether a formula is a list of numbers in brackets.
+fn is_list(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Group(_, inner) => is_list(inner),
+        Kind::Tuple(_) => true,
+        _ => false,
+    }
 }

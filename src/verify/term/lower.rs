@@ -163,14 +163,7 @@ impl<'a> Lowering<'a> {
                 self.system.quotient(&top, &bottom)
             }
             Kind::Power(base, exponent) => self.power(base, exponent),
-            Kind::Transpose(inner) => {
-                let value = self.value(inner)?;
-                // A list is a column already.
-                Ok(match is_list(inner) && value.is_vector() {
-                    true => value,
-                    false => value.transposed(),
-                })
-            }
+            Kind::Transpose(inner) => self.transpose(inner),
             Kind::Skew(inner) => self.skew(node, inner),
             Kind::Group(bracket, inner) => self.group(*bracket, inner),
             Kind::Norm(inner) => self.norm(inner),
@@ -407,13 +400,4 @@ pub(super) fn constant(number: &Number) -> Fraction {
 fn is_size(label: &str) -> bool {
     let plain: String = label.chars().filter(|c| !c.is_whitespace()).collect();
     matches!(plain.as_str(), "3×3" | "3x3" | "3\\times3" | "3")
-}
-
-/// Whether a formula is a list of numbers in brackets.
-fn is_list(node: &Node) -> bool {
-    match &node.kind {
-        Kind::Group(_, inner) => is_list(inner),
-        Kind::Tuple(_) => true,
-        _ => false,
-    }
 }

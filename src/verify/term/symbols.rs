@@ -203,7 +203,9 @@ impl Lowering<'_> {
         let Some((value, own)) = self.known(base)? else {
             return Ok(None);
         };
-        if value.is_scalar() || value.is_quaternion() {
+        // A matrix between two frames has no principal moments: with one label it is another letter, `R_3(\psi)` beside `R`.
+        let between = value.is_matrix() && value.basis[0] != value.basis[1] && axes.len() == 1;
+        if value.is_scalar() || value.is_quaternion() || between {
             return Ok(None);
         }
         let frame = own.or(frame).unwrap_or(self.letters.component_frame);
