@@ -176,13 +176,10 @@ impl Lowering<'_> {
                 Some(left) if self.makes_dyad(run[at - 1], run[at]) => self.dyad(left, &value)?,
                 _ => None,
             };
-            match dyad {
-                Some(dyad) => {
-                    values.pop();
-                    values.push(dyad);
-                }
-                None => values.push(value),
+            if dyad.is_some() {
+                values.pop();
             }
+            values.push(dyad.unwrap_or(value));
             at += 1;
         }
         match self.joined_from_the_right(&values) {
