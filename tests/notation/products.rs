@@ -135,7 +135,7 @@ fn sums_and_integrals_have_an_index_a_variable_and_limits() {
             "(int (group (+ (^ y 2) (^ z 2))) m)",
         ),
         (r"\iiint xy\,dm", "(int (* x y) m)"),
-        (r"\iiint\limits_V{\rho}{xy}{dV}", "(int (* rho x y) V)"),
+        (r"\iiint\limits_V{\rho}{xy}{dV}", "(int (* rho (* x y)) V)"),
         (r"\int x_{dm}\,dm", "(int x_dm m)"),
         (r"-\int xz\,dm", "(- (int (* x z) m))"),
         (r"\iiint_V \rho xy \,dx\,dy\,dz", "(int (* rho x y) V)"),

@@ -171,7 +171,8 @@ impl Rule {
                     let at = new.len();
                     new.extend(found.iter().flat_map(|(_, tokens)| tokens.iter().cloned()));
                     // The article that began the sentence is no name where it stands now.
-                    if let (1.., [article, _, ..]) = (at, &mut new[at..])
+                    if let (Piece::Phrase(_), 1.., [article, _, ..]) = (piece, at, &mut new[at..])
+                        && article.column == 1
                         && ARTICLES.contains(&article.lower.as_str())
                     {
                         article.text.clone_from(&article.lower);

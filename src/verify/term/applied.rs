@@ -148,14 +148,26 @@ impl Lowering<'_> {
         turned.map(|(matrix, _)| matrix)
     }
 
+    /// Whether a sentence says that a letter acts on what stands in brackets behind it.
+    fn is_operator(&self, letter: &Node) -> bool {
+        let told = self
+            .letters
+            .find(&spelled(letter), &loosely(letter), self.at, 0);
+        told.is_some_and(|letter| matches!(letter.meaning, Meaning::Operator(_)))
+    }
+
     /// The transpose of a formula; of `r(r)^T` with two vectors only that of the second.
     pub(super) fn transpose(&mut self, inner: &Node) -> Valued {
         if let Kind::Call(head, arguments) = &inner.kind
             && let ([argument], Kind::Symbol(_)) = (arguments.as_slice(), &head.kind)
             && !self.is_function(head)
+            && !self.is_operator(head)
         {
-            let (left, right) = (self.value(head)?, self.value(argument)?);
-            if left.is_vector() && right.is_vector() {
+            let (left, right) = (self.value(head), self.value(argument));
+            if let (Ok(left), Ok(right)) = (left, right)
+                && left.is_vector()
+                && right.is_vector()
+            {
                 let custom = self.custom();
                 return self.system.times(&left, &right.transposed(), custom);
             }

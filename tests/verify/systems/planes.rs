@@ -38,7 +38,7 @@ $$ (k^2+s^2)\ddot\beta=-gs\sin\beta $$
 $$ R=-m\left(g\cos\beta+s\dot\beta^2\right) $$
 $$ R=-m\left(g\cos\beta-s\dot\beta^2\right) $$
 ";
-    assert_eq!(verdicts(sentences, text).0, "ppu");
+    assert_eq!(verdicts(sentences, text).0, "ppr");
 }
 
 #[test]

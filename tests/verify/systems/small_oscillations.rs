@@ -29,8 +29,7 @@ $$ \omega^2=\frac{m g l}{2J} $$
 $$ T=2\pi\sqrt{\frac{J}{m g l}} $$
 $$ T=2\pi\sqrt{\frac{m g l}{J}} $$
 ";
-    // What is false stays open: what holds the body at O is not worked out in full.
-    assert_eq!(judged(&sentences, text), "ppupu");
+    assert_eq!(judged(&sentences, text), "pprpr");
 }
 
 #[test]
