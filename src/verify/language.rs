@@ -113,7 +113,6 @@ mod turns;
 mod unread;
 pub(crate) mod wants;
 mod weights;
-mod wheels_on_axes;
 mod wholes_by_plurals;
 mod words;
 

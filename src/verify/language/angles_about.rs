@@ -5,8 +5,9 @@ use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 use std::collections::BTreeMap;
 
-/// "`$\theta$` is the angle about z from x to `$r$`", where r is the position of P from O and a letter is its magnitude: P is
-/// placed from O by that magnitude, along x turned about z by the angle. An angle may begin at a vector that is told so.
+/// "`$\theta$` is the angle about z from x to `$r$`", where r is the position of P from O, a letter is its magnitude, and the
+/// body of P turns about z: P is placed from O by that magnitude, along x turned about z by the angle. An angle may begin at
+/// a vector that is told so. Where another angle of the vector is told, the first is an azimuth, and nothing is said.
 pub(super) fn place_by_angles(declarations: &mut [Declaration], macros: &Macros) {
     let mut told: BTreeMap<String, String> = BTreeMap::new();
     let mut before = usize::MAX;
@@ -43,6 +44,10 @@ fn placed(
     };
     let vector = to.source.clone();
     let (point, origin) = position(&vector, declarations)?;
+    let planar = turns_about(&point, about, declarations);
+    if !planar || angles_to(&vector, declarations) != 1 {
+        return None;
+    }
     let magnitude = magnitude(&vector, declarations)?;
     let about = written(about)?;
     let from = written(from)?;
@@ -59,6 +64,51 @@ fn placed(
         slots,
     };
     Some((vector, direction, placed))
+}
+
+/// Whether all turning of what a point is fixed in, or is the mass centre of, is told to be about an axis.
+fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool {
+    let holds = |declaration: &Declaration| match &declaration.statement {
+        Statement::Is { subjects, what } if subjects.contains(point) => {
+            let slot = match what.head {
+                "mass centre" => Slot::Of,
+                _ => Slot::FixedIn,
+            };
+            what.all(slot).cloned().collect()
+        }
+        _ => vec![],
+    };
+    let bodies: Vec<Term> = declarations.iter().flat_map(holds).collect();
+    let turning = declarations
+        .iter()
+        .filter_map(|d| d.statement.does("turn"))
+        .filter(|(subjects, _)| subjects.iter().any(|turns| bodies.contains(turns)));
+    let mut axes = turning
+        .map(|(_, slots)| slots.iter().find(|(slot, _)| *slot == Slot::About))
+        .peekable();
+    axes.peek().is_some() && axes.all(|about| about.is_some_and(|(_, about)| about == axis))
+}
+
+/// How many sentences tell an angle to a vector, or between it and something else.
+fn angles_to(vector: &str, declarations: &[Declaration]) -> usize {
+    let ends = |phrase: &NounPhrase| {
+        let other = phrase
+            .slots
+            .iter()
+            .filter(|(slot, _)| !matches!(slot, Slot::RelativeTo | Slot::About));
+        phrase.head == "angle"
+            && other
+                .map(|(_, term)| term)
+                .any(|term| matches!(term, Term::Formula(end) if end.source == vector))
+    };
+    let tells = |d: &&Declaration| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let named = |term: &Term| matches!(term, Term::Phrase(phrase) if ends(phrase));
+            ends(what) || subjects.iter().any(named)
+        }
+        _ => false,
+    };
+    declarations.iter().filter(tells).count()
 }
 
 /// A direction as a formula writes it.

@@ -323,7 +323,8 @@ impl<'a> Reader<'a> {
             let terms = self.terms_alike()?;
             slots.extend(terms.into_iter().map(|term| (slot, term)));
         }
-        if verb.entry.name == "number" && slots.is_empty() {
+        let index = |subject: &Term| matches!(subject, Term::Formula(_));
+        if verb.entry.name == "number" && (slots.is_empty() || !subjects.iter().all(index)) {
             return Err(self.unexpected("noun", "what is numbered could stand here", &NOUNS));
         }
         self.slots(verb.entry, &mut slots)?;

@@ -53,7 +53,6 @@ use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::weights::tell_gravity;
-use super::wheels_on_axes::turn_wheels_about_their_axes;
 use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
 
@@ -180,7 +179,6 @@ fn turn_about_axes(declarations: &mut Vec<Declaration>) {
     mount_wheels(declarations);
     turn_to_frames(declarations);
     fix_pivots(declarations);
-    turn_wheels_about_their_axes(declarations);
     turn_about_axes_of_symmetry(declarations);
 }
 

@@ -26,7 +26,7 @@ const OF_WHAT_IT_IS: [&str; 5] = ["of", "with", "as", "with axes", "with edges"]
 const DENYING: [&str; 6] = ["not", "no", "never", "except", "unless", "without"];
 
 /// Words of what is not as bodies, frames and angles are by default.
-const RETRACTING: [&str; 21] = [
+const RETRACTING: [&str; 25] = [
     "left-handed",
     "handed",
     "elastic",
@@ -48,11 +48,41 @@ const RETRACTING: [&str; 21] = [
     "mean",
     "denotes",
     "stands",
+    "changes",
+    "varies",
+    "grows",
+    "loses",
 ];
 
 /// What there may be none of.
 const NOTHINGS: [&str; 9] = [
     "work", "friction", "mass", "moment", "moments", "torque", "force", "forces", "slipping",
+];
+
+/// Words of how something is counted or written.
+const RULING: [&str; 22] = [
+    "sign",
+    "signs",
+    "sense",
+    "angle",
+    "angles",
+    "unit",
+    "units",
+    "counted",
+    "measured",
+    "letter",
+    "letters",
+    "bold",
+    "written",
+    "negative",
+    "positive",
+    "degrees",
+    "radians",
+    "notation",
+    "components",
+    "component",
+    "direction",
+    "read",
 ];
 
 /// Words that begin what holds for a while.
@@ -168,7 +198,8 @@ impl Reader<'_> {
     /// Whether the first verb behind a thing says what it does or undergoes, and not what it is or has.
     fn says_what_a_thing_does(&mut self) -> bool {
         let start = self.at;
-        let denies = self.following(0).iter().any(|word| DENYING.contains(word));
+        let mut words = self.tokens[start..].iter().map(|t| t.lower.as_str());
+        let denies = words.any(|word| DENYING.contains(&word) || retracts(word));
         let verb = (start..self.tokens.len()).find(|&at| {
             self.at = at;
             COPULAS.contains(&self.word()) || self.find(&[Class::Verb]).is_some()
@@ -202,7 +233,9 @@ impl Reader<'_> {
                 .is_some_and(|word| NOTHINGS.contains(word))
         };
         let denies = |at: usize| DENYING.contains(&words[at]) && !nothing(at);
-        let takes_back = |at: usize| denies(at) || RETRACTING.contains(&words[at]);
+        // "while `$u$` is positive"
+        let condition = |at: usize| at > 1 && self.tokens[start + at - 2].kind == Kind::Formula;
+        let takes_back = |at: usize| denies(at) || retracts(words[at]) && !condition(at);
         if (0..words.len()).any(takes_back) || self.at_formula() {
             return false;
         }
@@ -284,6 +317,11 @@ impl Reader<'_> {
             false => self.labels().ok(),
         }
     }
+}
+
+/// Whether a word may take back what is assumed of things, or may tell how something is counted or written.
+fn retracts(word: &str) -> bool {
+    RETRACTING.contains(&word) || RULING.contains(&word)
 }
 
 /// Whether a formula writes one thing, and is no way to write things: letters and numbers, and what is made of them.

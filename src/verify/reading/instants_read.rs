@@ -232,18 +232,17 @@ impl Builder<'_> {
         });
     }
 
-    /// "Lines 3 to 9 hold at `$t=0$`": what they say is said of that instant. A line that holds at the start is given; a run of
-    /// lines goes on from one to the next, and what each of them is the document tells.
+    /// "Lines 3 to 9 hold at `$t=0$`": what they say is said of that instant. What holds at a time is
+    /// given.
     pub(super) fn lines_hold_at(&mut self, lines: &Reach, slots: &[(Slot, Term)]) -> Option<()> {
         let found = slots
             .iter()
             .find_map(|(slot, term)| instant_of(*slot, term));
         let (name, _) = found?;
         let told = name == START || slots.iter().any(|(_, term)| is_time_told(term));
-        let given = told && !matches!(lines, Reach::Lines { first, last, .. } if first < last);
         self.reading.instants.named(&name).lines.push(lines.clone());
         let role = LineRole::new(lines.clone(), Some(Role::Given));
-        self.reading.roles.extend(given.then_some(role));
+        self.reading.roles.extend(told.then_some(role));
         Some(())
     }
 }

@@ -62,7 +62,7 @@ impl Builder<'_> {
         let load = match self.loads_called(&pair.turned().called(head)).pop() {
             Some(opposite) => opposite.opposite().filter(|load| load.at == at)?,
             None => {
-                let text = format!("{head}_{{{}{}}}", pair.agent, pair.on);
+                let text = format!("{head}_{{{},{}}}", pair.agent, pair.on);
                 Load {
                     called: pair.called(head),
                     at,

@@ -204,7 +204,7 @@ impl Builder<'_> {
 
     /// "the moment at O": what holds an end may turn it in any way.
     fn moment_at(&mut self, at: PointId, body: BodyId) -> Option<Load> {
-        let moment = self.free_load(&format!("M_{{{at}}}"), None)?;
+        let moment = self.free_load(&format!("M_{{{at},{body}}}"), None)?;
         Some(Load::unnamed(None, moment, Some(body)))
     }
 

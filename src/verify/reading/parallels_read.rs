@@ -174,7 +174,7 @@ impl Builder<'_> {
             (Slot::Along, way) => {
                 let axis = self.axis_vector(way, declaration)?;
                 for (point, mover) in points?.into_iter().zip(subjects) {
-                    self.hold_along(point, mover, (&axis, way), frame, declaration)?;
+                    self.hold_along(point, mover, &axis, frame, declaration)?;
                 }
             }
             (Slot::In, Term::Phrase(plane)) => {
@@ -205,14 +205,13 @@ impl Builder<'_> {
         &mut self,
         point: PointId,
         mover: &Term,
-        (axis, way): (&Vector, &Term),
+        axis: &Vector,
         frame: FrameId,
         declaration: &Declaration,
     ) -> Option<()> {
         let velocity = self.system().velocity(point, frame);
         self.hold_zero(&cross(axis, &velocity), declaration);
-        self.hold_smooth_force(mover, axis, declaration)?;
-        self.hold_push_along(axis, way, declaration)
+        self.hold_smooth_force(mover, axis, declaration)
     }
 
     /// "P moves relative to A": nothing holds it there.

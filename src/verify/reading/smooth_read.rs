@@ -1,15 +1,14 @@
 //! Smooth tracks: their force on what moves along them has no component along the motion.
 
-use crate::mechanics::cross;
 use crate::verify::language::heads::FORCE;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::Vector;
 use crate::verify::reading::builder::Builder;
 
-/// What drives along.
-const PUSH: &str = "thrust";
 /// The adjective of what has no friction.
 const SMOOTH: &str = "smooth";
+/// What guides: what moves along an axis moves along it.
+const TRACKS: [&str; 6] = ["track", "rail", "guide", "groove", "slot", "wire"];
 /// What is smooth where it joins bodies: its moments vanish, and not a component of its force.
 const JOINTS: [&str; 4] = ["joint", "pivot", "bearing", "axle"];
 
@@ -22,7 +21,7 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         for track in self.smooth_things() {
-            if !self.speaks_of_force(&track) {
+            if !is_track(&track) || !self.speaks_of_force(&track) {
                 continue;
             }
             let slots = vec![(Slot::Of, track), (Slot::Upon, mover.clone())];
@@ -33,37 +32,12 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// "`$F$` is the component along x of the push on the cart", which moves along x: where no sentence tells another component
-    /// of it, there is none.
-    pub(super) fn hold_push_along(
-        &mut self,
-        axis: &Vector,
-        along: &Term,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let components = self.declarations.iter().filter_map(|d| match &d.statement {
-            Statement::Is { what, .. } if what.head == "component" => match what.slot(Slot::Of)? {
-                Term::Phrase(load) if load.head == PUSH => Some((load, what.slot(Slot::Along))),
-                _ => None,
-            },
-            _ => None,
-        });
-        let told: Vec<(NounPhrase, bool)> = components
-            .map(|(load, way)| ((**load).clone(), way == Some(along)))
-            .collect();
-        if let [(push, true)] = told.as_slice() {
-            let push = self.quantity(push, declaration)?;
-            let push = self.system().value_of(&push).ok()?.to_vector().ok()?;
-            self.hold_zero(&cross(axis, &push), declaration);
-        }
-        Some(())
-    }
-
     /// Whether that something is smooth tells nothing of a force of which sentences speak, or what it tells is held.
     pub(super) fn is_smooth_heard(&self, thing: &Term) -> bool {
         let joins = matches!(thing, Term::Name(name) if is_joint(name))
             || matches!(thing, Term::Phrase(joint) if JOINTS.contains(&joint.head));
-        joins || !self.speaks_of_force(thing) || self.declarations.iter().any(is_along)
+        let held = is_track(thing) && self.declarations.iter().any(is_along);
+        joins || held || !self.speaks_of_force(thing)
     }
 
     fn smooth_things(&self) -> Vec<Term> {
@@ -94,6 +68,15 @@ impl Builder<'_> {
                 .chain(hanging.iter().map(|(_, term)| term))
                 .any(of_thing)
         })
+    }
+}
+
+fn is_track(thing: &Term) -> bool {
+    let guides = |name: &str| name.split(' ').any(|word| TRACKS.contains(&word));
+    match thing {
+        Term::Name(name) => guides(name),
+        Term::Phrase(phrase) => guides(phrase.head),
+        _ => false,
     }
 }
 

@@ -10,6 +10,7 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::roles::{Purpose, purpose};
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
+use std::collections::BTreeSet;
 
 /// Words by which what a sentence says holds in a case alone.
 const CONDITIONS: [&str; 5] = ["if", "whenever", "suppose", "unless", "provided"];
@@ -57,15 +58,17 @@ impl Judge<'_> {
         let given = purpose.declared && purpose.role == Role::Given;
         let starts = given && self.reading.is_given_at_start(&self.at);
         let atoms = &self.reading.system.atoms;
-        let known = |v: &Variable| !atoms.is_unknown(*v);
         let moves = |side: &Fraction| {
-            let mut known = side.variables().into_iter().filter(known);
-            known.any(|v| !atoms.is_constant(&fraction(v)))
+            let known = |v: &Variable| !atoms.is_unknown(*v) && !atoms.is_constant(&fraction(*v));
+            let variables: BTreeSet<_> = side.variables().into_iter().filter(known).collect();
+            variables
         };
+        // A value is of one quantity.
         let relates = |h: &Held| {
-            h.sides
-                .iter()
-                .any(|(left, right)| moves(left) && moves(right))
+            h.sides.iter().any(|(left, right)| {
+                let (left, right) = (moves(left), moves(right));
+                !left.is_empty() && !right.is_empty() || left.union(&right).count() > 1
+            })
         };
         match starts && held.iter().any(relates) {
             true => Purpose {
