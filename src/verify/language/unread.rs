@@ -1,7 +1,7 @@
 //! What can be told of a sentence that is not understood: of which letters it speaks, and what it may change.
 
 use super::clause::as_formula;
-use super::lexicon::Class;
+use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
@@ -54,10 +54,8 @@ const RETRACTING: [&str; 25] = [
     "loses",
 ];
 
-/// What there may be none of.
-const NOTHINGS: [&str; 9] = [
-    "work", "friction", "mass", "moment", "moments", "torque", "force", "forces", "slipping",
-];
+/// What stands before "not" where a verb follows.
+const AUXILIARIES: [&str; 4] = ["do", "does", "can", "may"];
 
 /// Words of how something is counted or written.
 const RULING: [&str; 22] = [
@@ -218,31 +216,59 @@ impl Reader<'_> {
         !denies && does.is_some_and(|verb| is(verb.entry.name))
     }
 
-    /// Whether it tells of which kind a body or a point is, what a load does or is, or what holds under a condition: that adds
-    /// to what is known. What would take back what is assumed of all things of a kind does not.
+    /// Whether it tells what a thing is or does, what a load does, or what holds at a time or under a condition: that adds to
+    /// what is known. What would take back what is assumed of all things of a kind does not.
     fn adds_a_premise(&mut self) -> bool {
         let start = self.at;
-        let words: Vec<&str> = self.tokens[start..]
-            .iter()
-            .map(|t| t.lower.as_str())
-            .collect();
-        // That something has no mass and does no work adds to what is known.
-        let nothing = |at: usize| {
-            words
-                .get(at + 1)
-                .is_some_and(|word| NOTHINGS.contains(word))
-        };
-        let denies = |at: usize| DENYING.contains(&words[at]) && !nothing(at);
-        // "while `$u$` is positive"
-        let condition = |at: usize| at > 1 && self.tokens[start + at - 2].kind == Kind::Formula;
-        let takes_back = |at: usize| denies(at) || retracts(words[at]) && !condition(at);
-        if (0..words.len()).any(takes_back) || self.at_formula() {
+        if self.takes_back() || self.at_formula() {
             return false;
         }
-        let conditional = CONDITIONS.contains(&self.word());
-        let adds = conditional || self.begins_with_load() || self.says_of_which_kind();
+        let conditional = CONDITIONS.contains(&self.word())
+            || self.word() == "at" && ARTICLES.contains(&self.word_at(1));
+        let adds = conditional
+            || self.begins_with_load()
+            || self.says_of_which_kind()
+            || self.says_what_is_done();
         self.at = start;
         adds
+    }
+
+    /// Whether a word may take back what is assumed of all things of a kind, or may be of a rule.
+    fn takes_back(&self) -> bool {
+        let tokens = self.tokens.get(self.at..).unwrap_or_default();
+        let word = |at: usize| tokens.get(at).map_or("", |t| t.lower.as_str());
+        // That something does not act, or that nothing does, adds to what is known.
+        let denies = |at: usize| match word(at) {
+            "not" => at == 0 || !AUXILIARIES.contains(&word(at - 1)),
+            "no" => word(at + 1) == "longer",
+            "without" => false,
+            denying => DENYING.contains(&denying),
+        };
+        // "while `$u$` is positive"
+        let condition = |at: usize| at > 1 && tokens[at - 2].kind == Kind::Formula;
+        (0..tokens.len()).any(|at| denies(at) || retracts(word(at)) && !condition(at))
+    }
+
+    /// "The strings do not stretch …", "No load acts …", "F coincides with E …": what a thing does, by whatever verb.
+    fn says_what_is_done(&mut self) -> bool {
+        let start = self.at;
+        let none = self.take("no");
+        let subject = self.at_name() || (none || self.take_any(&ARTICLES)) && self.at_thing();
+        let mut words = self.tokens[self.at..].iter().map(|t| t.lower.as_str());
+        let is = words.any(|word| COPULAS.contains(&word));
+        self.at = start;
+        subject && !is
+    }
+
+    fn at_thing(&mut self) -> bool {
+        while let Some(adjective) = self.find(&[Class::Adjective]) {
+            self.at += adjective.length;
+        }
+        let load = |noun: Found<'_>| {
+            noun.entry.class != Class::Noun || noun.entry.slot("on") == Some(Slot::Upon)
+        };
+        self.find(&[Class::Thing, Class::Place, Class::Noun])
+            .is_some_and(load)
     }
 
     /// "The lift …", "the force of the hoop …"
