@@ -1,7 +1,7 @@
 //! What can be told of a sentence that is not understood: of which letters it speaks, and what it may change.
 
 use super::clause::as_formula;
-use super::lexicon::{Class, Found};
+use super::lexicon::Class;
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
@@ -26,7 +26,7 @@ const OF_WHAT_IT_IS: [&str; 5] = ["of", "with", "as", "with axes", "with edges"]
 const DENYING: [&str; 6] = ["not", "no", "never", "except", "unless", "without"];
 
 /// Words of what is not as bodies, frames and angles are by default.
-const RETRACTING: [&str; 25] = [
+const RETRACTING: [&str; 27] = [
     "left-handed",
     "handed",
     "elastic",
@@ -52,13 +52,15 @@ const RETRACTING: [&str; 25] = [
     "varies",
     "grows",
     "loses",
+    "triad",
+    "inverted",
 ];
 
 /// What stands before "not" where a verb follows.
 const AUXILIARIES: [&str; 4] = ["do", "does", "can", "may"];
 
 /// Words of how something is counted or written.
-const RULING: [&str; 22] = [
+const RULING: [&str; 21] = [
     "sign",
     "signs",
     "sense",
@@ -78,10 +80,12 @@ const RULING: [&str; 22] = [
     "radians",
     "notation",
     "components",
-    "component",
     "direction",
     "read",
 ];
+
+/// Words of frames.
+const OF_FRAMES: [&str; 7] = ["frame", "axes", "axis", "basis", "base", "triad", "system"];
 
 /// Words that begin what holds for a while.
 const CONDITIONS: [&str; 9] = [
@@ -228,7 +232,7 @@ impl Reader<'_> {
         let adds = conditional
             || self.begins_with_load()
             || self.says_of_which_kind()
-            || self.says_what_is_done();
+            || self.says_of_things();
         self.at = start;
         adds
     }
@@ -249,26 +253,25 @@ impl Reader<'_> {
         (0..tokens.len()).any(|at| denies(at) || retracts(word(at)) && !condition(at))
     }
 
-    /// "The strings do not stretch …", "No load acts …", "F coincides with E …": what a thing does, by whatever verb.
-    fn says_what_is_done(&mut self) -> bool {
+    /// Whether it speaks of a thing, a place or a load, and of no way to write or to count: "The strings do not stretch …".
+    /// What a frame is and has may take back what is assumed of frames.
+    fn says_of_things(&mut self) -> bool {
         let start = self.at;
-        let none = self.take("no");
-        let subject = self.at_name() || (none || self.take_any(&ARTICLES)) && self.at_thing();
-        let mut words = self.tokens[self.at..].iter().map(|t| t.lower.as_str());
-        let is = words.any(|word| COPULAS.contains(&word));
+        let (mut things, mut rule, mut is) = (false, false, false);
+        while !self.done() {
+            rule |= self.at_rule(false) || is && OF_FRAMES.contains(&self.word());
+            is |= COPULAS.contains(&self.word());
+            things |= self.at_name() || self.at_thing();
+            self.at += 1;
+        }
         self.at = start;
-        subject && !is
+        things && !rule
     }
 
-    fn at_thing(&mut self) -> bool {
-        while let Some(adjective) = self.find(&[Class::Adjective]) {
-            self.at += adjective.length;
-        }
-        let load = |noun: Found<'_>| {
-            noun.entry.class != Class::Noun || noun.entry.slot("on") == Some(Slot::Upon)
-        };
-        self.find(&[Class::Thing, Class::Place, Class::Noun])
-            .is_some_and(load)
+    fn at_thing(&self) -> bool {
+        let thing = self.find(&[Class::Thing, Class::Place]).is_some();
+        let noun = self.find(&[Class::Noun]);
+        thing || noun.is_some_and(|noun| noun.entry.slot("on") == Some(Slot::Upon))
     }
 
     /// "The lift …", "the force of the hoop …"
