@@ -48,6 +48,15 @@ impl Builder<'_> {
         })
     }
 
+    /// Whether a sentence says to which order in something lines hold.
+    pub(super) fn speaks_of_orders(&self) -> bool {
+        let order = |(slot, _): &(Slot, Term)| matches!(slot, Slot::In | Slot::InSecondOrder);
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::LineHolds { slots, .. } => slots.iter().any(order),
+            _ => false,
+        })
+    }
+
     /// "Line 15 holds to first order in `$p$`": says whether it is a sentence of this form.
     pub(super) fn read_order_of_lines(
         &mut self,

@@ -113,9 +113,13 @@ impl Builder<'_> {
         for (whole, reference) in whole.entries.iter().zip(&reference.entries) {
             let atoms = &mut self.reading.system.atoms;
             let mut value = Facts::default().normal(atoms, whole).ok()?;
-            // What has a variable of its own obeys equations, and so does its reference value.
+            // What has a variable of its own obeys equations, and so does its reference value; how far it is from it where
+            // something is small nothing tells.
             if value.as_variable().is_some() {
-                continue;
+                match self.speaks_of_orders() {
+                    true => return None,
+                    false => continue,
+                }
             }
             let mut calm = undisturbed(atoms, &value, &small)?;
             if !self.is_calm(&calm) {

@@ -254,12 +254,6 @@ impl Builder<'_> {
                 false => letter_names(node),
             };
             let letters = named.map(|nodes| nodes.into_iter().flat_map(own).collect());
-            if std::env::var("POLH_T").is_ok() {
-                eprintln!(
-                    "TTT {understood} {:?} | {sentence}",
-                    touched_by(&declaration.statement, self.declarations)
-                );
-            }
             self.reading.unused.push(Unused {
                 sentence,
                 understood,
