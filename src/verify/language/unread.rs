@@ -84,9 +84,6 @@ const RULING: [&str; 21] = [
     "read",
 ];
 
-/// Words of frames.
-const OF_FRAMES: [&str; 7] = ["frame", "axes", "axis", "basis", "base", "triad", "system"];
-
 /// Words that begin what holds for a while.
 const CONDITIONS: [&str; 9] = [
     "while", "when", "whenever", "if", "until", "once", "after", "before", "during",
@@ -232,7 +229,7 @@ impl Reader<'_> {
         let adds = conditional
             || self.begins_with_load()
             || self.says_of_which_kind()
-            || self.says_of_things();
+            || self.says_what_things_do();
         self.at = start;
         adds
     }
@@ -253,19 +250,18 @@ impl Reader<'_> {
         (0..tokens.len()).any(|at| denies(at) || retracts(word(at)) && !condition(at))
     }
 
-    /// Whether it speaks of a thing, a place or a load, and of no way to write or to count: "The strings do not stretch …".
-    /// What a frame is and has may take back what is assumed of frames.
-    fn says_of_things(&mut self) -> bool {
+    /// Whether it tells what a thing, a place or a load does, and of no way to write or to count: "The strings do not stretch
+    /// …". What a thing is may take back what is assumed of all things of its kind.
+    fn says_what_things_do(&mut self) -> bool {
         let start = self.at;
-        let (mut things, mut rule, mut is) = (false, false, false);
+        let (mut things, mut other) = (false, false);
         while !self.done() {
-            rule |= self.at_rule(false) || is && OF_FRAMES.contains(&self.word());
-            is |= COPULAS.contains(&self.word());
+            other |= self.at_rule(false) || COPULAS.contains(&self.word());
             things |= self.at_name() || self.at_thing();
             self.at += 1;
         }
         self.at = start;
-        things && !rule
+        things && !other
     }
 
     fn at_thing(&self) -> bool {
