@@ -63,12 +63,16 @@ impl Judge<'_> {
             let variables: BTreeSet<_> = side.variables().into_iter().filter(known).collect();
             variables
         };
-        // A value is of one quantity.
+        // A value is of one quantity, on one side.
         let relates = |h: &Held| {
-            h.sides.iter().any(|(left, right)| {
-                let (left, right) = (moves(left), moves(right));
-                !left.is_empty() && !right.is_empty() || left.union(&right).count() > 1
-            })
+            let moving = |(left, right): &(Fraction, Fraction)| (moves(left), moves(right));
+            let moving: Vec<_> = h.sides.iter().map(moving).collect();
+            let on_left = moving.iter().any(|(left, _)| !left.is_empty());
+            let on_right = moving.iter().any(|(_, right)| !right.is_empty());
+            let many = moving
+                .iter()
+                .any(|(left, right)| left.union(right).count() > 1);
+            on_left && on_right || many
         };
         match starts && held.iter().any(relates) {
             true => Purpose {

@@ -25,9 +25,9 @@ $$ v = a\cos q $$
     assert_eq!(judged(sentences, text), "ppr");
 }
 
-/// A run of lines about the start goes on from one to the next: none of them is given.
+/// A line about the start that relates what moves is worked out, and one that gives a value is given.
 #[test]
-fn a_run_of_lines_at_the_start_is_judged() {
+fn lines_at_the_start_that_relate_are_judged() {
     let sentences = r"
 N is an inertial frame.
 $i$, $j$, $k$ are the axes of N.
@@ -36,15 +36,17 @@ P is a point.
 P lies at the distance $x$ from O along $i$.
 $v$ is the velocity of P relative to N.
 $r$ is the position of P from O.
-Lines 2 to 5 hold at $t=0$.
+Lines 2 to 7 hold at $t=0$.
 ";
     let text = r"
 $$ r = x i $$
 $$ v = \dot x i $$
 $$ v = 2\dot x i $$
 $$ v = \dot x j $$
+$$ x = 2 $$
+$$ \dot x = 0 $$
 ";
-    assert_eq!(judged(sentences, text), "pprr");
+    assert_eq!(judged(sentences, text), "ppuuaa");
 }
 
 const CART: &str = r"
@@ -167,4 +169,97 @@ $$ u\cdot z = 0 $$
 $$ (u\cdot y)^2 = 1 $$
 ";
     assert_eq!(judged(sentences, text), "pp");
+}
+
+/// What pushes along the motion is no track, and what two things exert is not the same force.
+#[test]
+fn only_tracks_hold_across_the_motion() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+O is a point fixed in N.
+The cart is a particle of mass $m$.
+The cart moves along x.
+$s$ is the component along x of the position of the cart from O.
+$w$ is the component along x of the force of the wall on the cart.
+$u$ is the component along x of the force of the track on the cart.
+The force of the wall and the force of the track are the only loads on the cart.
+";
+    let text = r"
+$$ m\ddot s = w + u $$
+$$ w = u $$
+$$ w = 0 $$
+";
+    assert_eq!(judged(sentences, text), "prr");
+    let wall = format!("{sentences}The wall is smooth.\n");
+    assert_eq!(judged(&wall, text), "puu");
+    let track = format!("{sentences}The track is smooth.\n");
+    assert_eq!(
+        judged(&track, "\n$$ u = 0 $$\n$$ m\\ddot s = w $$\n$$ w = 0 $$\n"),
+        "ppr"
+    );
+}
+
+/// An angle about an axis may be an azimuth.
+#[test]
+fn an_azimuth_places_nothing_in_a_plane() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+O is a point fixed in N.
+$\vec r$ is the position of P from O.
+$r$ is the magnitude of $\vec r$.
+$\phi$ is the angle about z from x to $\vec r$.
+The angle between z and $\vec r$ is $\theta$.
+";
+    let text = r"
+$$ \vec r\cdot z = r\cos\theta $$
+$$ \vec r\cdot z = 0 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_wheel_that_turns_about_a_diameter_is_not_round_about_that() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the wheel.
+$i, j, k$ are the axes of B.
+The wheel is a uniform thin disc of mass $m$ and radius $r$.
+B turns relative to N about i by the angle $\theta$.
+i is a diameter of the wheel.
+$I$ is the moment of inertia of the wheel about the axis through its mass centre along $i$.
+";
+    let text = r"
+$$ I = \frac14 m r^2 $$
+$$ I = \frac12 m r^2 $$
+";
+    assert!(
+        !judged(sentences, text).contains(['p', 'r']),
+        "{}",
+        judged(sentences, text)
+    );
+}
+
+/// How far a quantity is from its reference value is not told where no disturbance is.
+#[test]
+fn a_reference_value_without_a_disturbance_denies_nothing() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+C is the mass centre of the body.
+The axes of B are principal axes of the body.
+$A$, $A$, $C$ are the principal moments of the body about C on B.
+$p$, $q$, $r$ are the components on B of the angular velocity of B relative to N.
+No moment acts on the body about C.
+$\Omega$ is the reference value of $r$.
+$p$ and $q$ are small disturbances.
+$\Omega$ is a constant.
+Lines 2 to 3 hold to first order in $p$ and $q$.
+";
+    let text = r"
+$$ A\dot p+(C-A)\Omega q=0 $$
+$$ A\dot p-(C-A)\Omega q=0 $$
+";
+    assert_eq!(judged(sentences, text), "uu");
 }

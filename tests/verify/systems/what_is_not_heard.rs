@@ -30,6 +30,40 @@ $$ \vec v=\vec 0 $$
 }
 
 #[test]
+fn what_is_counted_or_written_otherwise_keeps_all_open() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+B is a frame fixed in the body.
+O is a point fixed in N and in B.
+B turns relative to N about z by the angle $\theta$.
+$J$ is the moment of inertia of the body about the axis through O along z.
+$M$ is the total moment on the body about O along z.
+";
+    let text = r"
+$$ J\ddot\theta=M $$
+";
+    let with = |sentence: &str| verdicts(&format!("{sentences}{sentence}\n"), text).0;
+    for rule in [
+        "When a moment turns from x to y it is counted negative.",
+        "If a frame turns from x to y its angle is negative.",
+        "When an angle is written it is measured in degrees.",
+        "When a letter is bold it has components on B.",
+        "While the body turns it loses mass.",
+        "The moment is counted negative.",
+    ] {
+        assert_eq!(with(rule), "u", "{rule}");
+    }
+    for fact in [
+        "The strings of the body do not stretch.",
+        "The hinges exert no force on the body.",
+        "When the wind blows the body turns on and on.",
+    ] {
+        assert_eq!(with(fact), "p", "{fact}");
+    }
+}
+
+#[test]
 fn an_accelerometer_reads_the_acceleration_less_that_of_gravity() {
     let sentences = r"
 N is an inertial frame.
