@@ -120,9 +120,11 @@ impl<'a> Reader<'a> {
     fn nothing_acts(&mut self) -> Read<Statement> {
         let (mut phrase, noun) = self.named()?;
         self.slots(noun, &mut phrase.slots)?;
+        // What one thing does not exert another may.
+        let of_none = phrase.slot(Slot::Of).is_none();
         let verb = self
             .find(&[Class::Verb])
-            .filter(|verb| verb.entry.name == "act");
+            .filter(|verb| verb.entry.name == "act" && of_none);
         let Some(verb) = verb else {
             return Err(self.unexpected("verb", "`acts on …` could stand here", &[Class::Verb]));
         };

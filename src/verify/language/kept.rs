@@ -22,10 +22,34 @@ const LEADING: [&str; 24] = [
     "under", "between",
 ];
 
+/// Words of a time or a case in which alone something is so.
+const CONDITIONS: [&str; 12] = [
+    "if",
+    "when",
+    "whenever",
+    "while",
+    "after",
+    "before",
+    "until",
+    "during",
+    "once",
+    "provided",
+    "assuming",
+    "initially",
+];
+
 /// Words that may begin a part of the document.
 const PLACING: [&str; 11] = [
     "except", "only", "after", "before", "until", "from", "on", "in", "between", "behind", "above",
 ];
+
+/// Whether what goes on from a clause says when it holds: "at `$q=0$`".
+fn has_condition(tokens: &[Token]) -> bool {
+    let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+    let valued = |pair: &[Token]| pair[0].lower == "at" && formula(&pair[1]);
+    let word = |t: &Token| CONDITIONS.contains(&t.lower.as_str());
+    tokens.iter().any(word) || tokens.windows(2).any(valued)
+}
 
 /// Whether a sentence may begin with a part of the document.
 pub(super) fn may_be_limited(tokens: &[Token]) -> bool {
@@ -106,7 +130,9 @@ fn begun<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'
         let apart = tokens[at].kind == Kind::Comma && has_own_subject(next);
         let clause = joined > 0 && (letter || apart);
         let follows = tokens[at].kind == Kind::Comma && next.first().is_some_and(concludes);
-        let adds = !next.is_empty() && !tokens[at..].iter().any(takes_back);
+        let adds = !next.is_empty()
+            && !tokens[at..].iter().any(takes_back)
+            && !has_condition(&tokens[at..]);
         // What a participle hangs on is behind it.
         let open = tokens[at - 1].lower.ends_with("ed");
         if open || !(clause || adds || follows) {

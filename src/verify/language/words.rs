@@ -114,8 +114,29 @@ const SIGNS: [&str; 11] = [
 ];
 
 /// Words that stand behind a name, and behind no article.
-const BEHIND_NAMES: [&str; 14] = [
-    "and", "are", "as", "at", "by", "from", "in", "is", "of", "on", "or", "through", "to", "with",
+const BEHIND_NAMES: [&str; 22] = [
+    "about",
+    "and",
+    "are",
+    "as",
+    "at",
+    "by",
+    "coincides",
+    "from",
+    "has",
+    "in",
+    "is",
+    "moves",
+    "of",
+    "on",
+    "or",
+    "relative",
+    "rotates",
+    "seen",
+    "through",
+    "to",
+    "turns",
+    "with",
 ];
 
 /// "about a by the angle": where no noun follows, `a` is a letter and no article.

@@ -158,3 +158,58 @@ $$ w\cdot z=2s $$
 ";
     assert_eq!(judged(sentences, text), "ppr");
 }
+
+/// What something is at a time or in a case it need not be always.
+#[test]
+fn a_sentence_is_not_kept_without_its_condition() {
+    let sentences = r"
+N is an inertial frame.
+E is a frame fixed in the case.
+F is a frame fixed in the rotor.
+$x$, $y$, $z$ are the axes of E.
+$a$, $b$, $c$ are the axes of F.
+F turns relative to E about $x$ by the angle $q$.
+The axes of F coincide with the axes of E whenever $q=0$.
+";
+    let text = r"
+$$ b = y $$
+$$ b = y\cos q+z\sin q $$
+";
+    assert!(!judged(sentences, text).starts_with('p'));
+}
+
+#[test]
+fn what_one_thing_does_not_exert_another_may() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the door.
+O is a point fixed in N and in B.
+$x$, $y$, $z$ are the axes of N.
+B turns relative to N about the axis through O along z by the angle $q$.
+$J$ is the moment of inertia of the door about the axis through O along z.
+No moment of the hinges acts on the door along $z$.
+";
+    let text = r"
+$$ J\ddot q = 0 $$
+";
+    assert_ne!(judged(sentences, text), "p");
+}
+
+#[test]
+fn the_letter_a_may_be_a_frame() {
+    let sentences = r"
+N is an inertial frame.
+a is a frame fixed in the aeroplane.
+b is a frame fixed in the propeller.
+$x$, $y$, $z$ are the axes of a.
+a turns relative to N about $z$ at the constant rate $\Omega$.
+b turns relative to a about $x$ by the angle $q$.
+The axes of b coincide with the axes of a at $q=0$.
+$w$ is the angular velocity of b relative to N.
+";
+    let text = r"
+$$ w = \Omega z + \dot q x $$
+$$ w = \Omega z - \dot q x $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
