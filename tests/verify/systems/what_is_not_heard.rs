@@ -204,7 +204,6 @@ b is a frame fixed in the propeller.
 $x$, $y$, $z$ are the axes of a.
 a turns relative to N about $z$ at the constant rate $\Omega$.
 b turns relative to a about $x$ by the angle $q$.
-The axes of b coincide with the axes of a at $q=0$.
 $w$ is the angular velocity of b relative to N.
 ";
     let text = r"
