@@ -3,6 +3,7 @@
 //! Parsing never fails: what does not fit becomes an error node. The depth of nesting is bounded, so no input can
 //! exhaust the stack.
 
+mod arrows;
 mod bracket;
 mod call;
 mod columns;

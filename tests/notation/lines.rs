@@ -75,6 +75,8 @@ fn relations_say_what_they_are() {
         (r"a \overset{!}{=} b", "a = b"),
         (r"a \approx b", "a ~ b"),
         (r"a = b \implies c = d", "a = b\nc = d"),
+        (r"a = b \rightarrow c = d", "a = b\nc = d"),
+        (r"a = b \in \mathbb{R}^{3 \times 3}", "a = b"),
         (r"\Rightarrow a = b", "a = b"),
         (r"\therefore\quad a = b", "a = b"),
         (

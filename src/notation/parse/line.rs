@@ -20,6 +20,7 @@ pub(super) struct Marks {
 /// Takes tags, labels, remarks and words out of a row's tokens.
 pub(super) fn take_marks(tokens: &mut Vec<Token<'_>>) -> Marks {
     without_end_mark(tokens);
+    without_range(tokens);
     let mut marks = Marks::default();
     let mut shown = vec![];
     let mut depth = 0;
@@ -88,6 +89,26 @@ fn without_end_mark(tokens: &mut Vec<Token<'_>>) {
     // A sign before it waits for an operand.
     let before = trimmed(&tokens[..at]).last();
     if closes && !before.is_some_and(|t| super::group::is_sign(t.kind) || is_script(t.kind)) {
+        tokens.truncate(at);
+    }
+}
+
+/// Takes off the set of columns or matrices that a value is of, behind an equation: `v = w \in \mathbb R^3`.
+fn without_range(tokens: &mut Vec<Token<'_>>) {
+    let is_in = |t: &Token<'_>| t.kind == Lexeme::Command("in");
+    let Some(at) = tokens.iter().rposition(is_in) else {
+        return;
+    };
+    let mut behind = tokens[at + 1..].iter().filter(|t| !is_blank(t));
+    let board = behind.next().map(|t| t.kind) == Some(Lexeme::Command("mathbb"));
+    let of_numbers = behind.all(|t| match t.kind {
+        Lexeme::Letter(_) | Lexeme::Number(_) | Lexeme::Open | Lexeme::Close => true,
+        Lexeme::Command(name) => name == "times",
+        kind => is_script(kind),
+    });
+    let mut before = relations(&tokens[..at]).into_iter();
+    let closed = tokens[..at].iter().map(nesting).sum::<i32>() == 0;
+    if board && of_numbers && closed && before.any(|(.., r)| r == Relation::Equal) {
         tokens.truncate(at);
     }
 }

@@ -1,5 +1,6 @@
 //! A formula in pieces: environments of lines are gone into, and rows, gaps, commas and arrows part it.
 
+use super::arrows::{is_arrow, joins_equations};
 use super::group::is_sign;
 use super::line::{is_script, relation, relations, trimmed};
 use super::{closing, nesting};
@@ -172,7 +173,13 @@ impl<'a> Splitter<'a> {
                     self.current.push(token);
                 }
                 Lexeme::Char(',' | ';') if outside => self.flush(Break::Comma),
-                Lexeme::Command(name) if outside && is_arrow(name) => self.flush(Break::Gap),
+                Lexeme::Command(name)
+                    if outside
+                        && (is_arrow(name)
+                            || joins_equations(name, &self.current, &tokens[i..])) =>
+                {
+                    self.flush(Break::Gap);
+                }
                 Lexeme::Text(text) if outside && super::text::joins(text) => {
                     self.flush(Break::Gap);
                     self.current.push(token);
@@ -319,27 +326,6 @@ fn is_valued(inside: &[Token<'_>]) -> bool {
         !first && !next
     };
     firsts.all(|cells| alone(&cells))
-}
-
-fn is_arrow(name: &str) -> bool {
-    matches!(
-        name,
-        "Rightarrow"
-            | "Longrightarrow"
-            | "implies"
-            | "iff"
-            | "Leftrightarrow"
-            | "therefore"
-            | "because"
-            | "hookrightarrow"
-            | "Longleftrightarrow"
-            | "Leftarrow"
-            | "leadsto"
-            | "downarrow"
-            | "Downarrow"
-            | "impliedby"
-            | "rightsquigarrow"
-    )
 }
 
 /// Whether a sign of relation stands in the rows outside inner brackets.

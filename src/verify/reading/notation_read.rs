@@ -349,7 +349,11 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,
-        Sign::Label { labels, .. } => phrase.head == "transpose" && labels.iter().all(|l| is_t(l)),
+        Sign::Label { labels, .. } => match phrase.head {
+            "transpose" => labels.iter().all(|l| is_t(l)),
+            "inverse" => labels.iter().all(|l| plain_label(l) == "-1"),
+            _ => false,
+        },
         Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),
         Sign::Mark(mark) if mark.starts_with("dot") && !mark.ends_with("vector") => {
             phrase.head == "rate" && phrase.slot(Slot::SeenFrom).is_none()
