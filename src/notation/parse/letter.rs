@@ -67,7 +67,7 @@ fn mark(name: &str) -> Option<Mark> {
         "mathcal" | "mathscr" | "mathfrak" | "cal" => Mark::Calligraphic,
         "mathrm" | "rm" | "textrm@" | "mathup" => Mark::Upright,
         "mathsf" | "mathtt" | "sf" | "overleftrightarrow" | "tensor" => Mark::Sans,
-        "mathbb" => Mark::Board,
+        "mathbb" | "mathds" | "mathbbm" => Mark::Board,
         "mathit" | "it" | "mathnormal" => Mark::Plain,
         "check" | "breve" | "acute" | "grave" => Mark::Other,
         _ => return None,

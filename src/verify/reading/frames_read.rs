@@ -213,6 +213,9 @@ impl Builder<'_> {
         // Where an angle is told, the axes are the same in their order where it is zero.
         let in_order = || self.axis_in_order(along_of(&about), frame, relative);
         let shared = shared.or_else(|| angle.as_ref().and_then(|_| in_order()));
+        if angle.is_some() && shared.is_none() && self.axis_changes(&about, relative) {
+            return self.say_unused(said.declaration);
+        }
         let mut number = |term| {
             self.scalar_term(&term, said.declaration)
                 .map(|n| n * sign.clone())
@@ -239,6 +242,12 @@ impl Builder<'_> {
             return;
         }
         self.hold_turn(frame, relative, &about, angle, rate, said.declaration);
+    }
+
+    /// Whether the document writes the rate of the axis of a turn against the ground. A turn about an axis that is kept would make
+    /// that rate zero and prove whatever stands beside it: the turn is meant from one attitude to another one, about an axis that changes.
+    fn axis_changes(&self, about: &Term, relative: FrameId) -> bool {
+        relative == self.reading.system.ground && self.writes_rate(about)
     }
 
     /// How a frame turns by an angle or at a rate.

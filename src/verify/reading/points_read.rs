@@ -329,15 +329,19 @@ impl Builder<'_> {
         let Some(formula) = letter_of(distance) else {
             return false;
         };
-        let letter = node_of(formula).map(spelled);
-        let written = |letter: String| {
+        let mut declarations = self.declarations.iter();
+        self.writes_rate(distance)
+            || declarations.any(|d| defined_as(formula, &d.statement).is_some())
+    }
+
+    /// Whether the document writes the rate of a letter.
+    pub(super) fn writes_rate(&self, letter: &Term) -> bool {
+        let letter = letter_of(letter).and_then(node_of).map(spelled);
+        letter.is_some_and(|letter| {
             let all = &self.reading.letters.written;
             let primed = || all.has(&format!("{letter}'")) || all.has(&format!("{letter}''"));
             all.has(&rate_of(&letter)) || self.primes_are_rates() && primed()
-        };
-        let mut declarations = self.declarations.iter();
-        letter.is_some_and(written)
-            || declarations.any(|d| defined_as(formula, &d.statement).is_some())
+        })
     }
 
     /// "A prime means the rate."

@@ -211,7 +211,7 @@ $$ I_3\dot\omega_3 = (I_1 - I_2)\omega_1\omega_2 $$
 $$ I_3\dot\omega_3 = 0 $$
 $$ I_1\dot\omega_1 = (I_3 - I_2)\omega_2\omega_3 $$
 ";
-    assert_eq!(judged(sentences, text), "ppr");
+    assert_eq!(judged(sentences, text), "pr");
 }
 
 #[test]
@@ -294,7 +294,7 @@ $$ \omega_3 = \dot\phi\cos\theta + \dot\psi $$
 $$ \omega_z = \dot\psi\cos\theta + \dot\phi $$
 $$ \omega_z = \omega_3 $$
 ";
-    assert_eq!(judged(sentences, text), "ppr");
+    assert_eq!(judged(sentences, text), "pr");
 }
 
 #[test]
@@ -515,4 +515,42 @@ $$\begin{align*}
 \end{align*}$$
 ";
     assert_eq!(judged(BODY, text), "ppr");
+}
+
+#[test]
+fn an_axis_whose_rate_is_written_is_not_kept() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$\\mathbf{n}$ is a unit vector.
+$\\boldsymbol{\\omega}$ is the angular velocity of B relative to N.
+B is turned relative to N about $\\mathbf{n}$ by the angle $\\theta$.
+A dot on a vector means the rate seen from N.
+";
+    let kept = r"\boldsymbol{\omega} = \dot{\theta} \mathbf{n}";
+    assert_eq!(judged(sentences, &format!("\n$$ {kept} $$\n")), "p");
+    let rest = |sign: &str| {
+        format!(
+            r"\dot{{\mathbf n}}\sin\theta {sign} \mathbf n\times\dot{{\mathbf n}}(1-\cos\theta)"
+        )
+    };
+    let text = format!(
+        "\n$$ {kept} + {} $$\n$$ {kept} + {} $$\n",
+        rest("+"),
+        rest("-")
+    );
+    assert_eq!(verdicts(sentences, &text).0, "uu");
+}
+
+#[test]
+fn a_frame_at_the_lower_left_is_the_one_of_the_components() {
+    let sentences = "N is an inertial frame.
+B is a frame fixed in the body.
+$\\boldsymbol{\\omega}_{XY}$ is the angular velocity of Y relative to X, for any frames X and Y.
+A frame at the lower left means components on that frame.
+";
+    let text = r"
+$$ {}_B\boldsymbol{\omega}_{NB} = -{}_B\boldsymbol{\omega}_{BN} $$
+$$ {}_B\boldsymbol{\omega}_{NB} = {}_B\boldsymbol{\omega}_{BN} $$
+";
+    assert_eq!(judged(sentences, text), "pr");
 }
