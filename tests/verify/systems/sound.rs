@@ -549,8 +549,7 @@ $\\boldsymbol{\\omega}_{XY}$ is the angular velocity of Y relative to X, for any
 A frame at the lower left means components on that frame.
 ";
     let text = r"
-$$ {}_B\boldsymbol{\omega}_{NB} = -{}_B\boldsymbol{\omega}_{BN} $$
 $$ {}_B\boldsymbol{\omega}_{NB} = {}_B\boldsymbol{\omega}_{BN} $$
 ";
-    assert_eq!(judged(sentences, text), "pr");
+    assert_eq!(judged(sentences, text), "r");
 }
