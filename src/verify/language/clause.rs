@@ -331,6 +331,12 @@ impl<'a> Reader<'a> {
         }
         self.slots(verb.entry, &mut slots)?;
         self.tail(verb.entry, &mut slots)?;
+        // "The axes form a left-handed system": that is no whole of which they are the parts.
+        let of_axes =
+            |(_, part): &(Slot, Term)| matches!(part, Term::Phrase(part) if part.head == "axes");
+        if verb.entry.name == "consist" && slots.iter().any(of_axes) {
+            return Err(self.unexpected("thing", "a thing could stand here", &[Class::Thing]));
+        }
         if verb.entry.name == "stay constant" && slots.is_empty() {
             let constant = NounPhrase::new("constant", vec![]);
             return Ok(vec![Statement::Is {

@@ -26,7 +26,7 @@ const OF_WHAT_IT_IS: [&str; 5] = ["of", "with", "as", "with axes", "with edges"]
 const DENYING: [&str; 6] = ["not", "no", "never", "except", "unless", "without"];
 
 /// Words of what is not as bodies, frames and angles are by default.
-const RETRACTING: [&str; 27] = [
+const RETRACTING: [&str; 53] = [
     "left-handed",
     "handed",
     "elastic",
@@ -54,6 +54,32 @@ const RETRACTING: [&str; 27] = [
     "loses",
     "triad",
     "inverted",
+    "left",
+    "left-hand",
+    "hand",
+    "usual",
+    "opposite",
+    "backward",
+    "backwards",
+    "reversed",
+    "burns",
+    "leaks",
+    "ejects",
+    "gathers",
+    "drops",
+    "sheds",
+    "consumes",
+    "expels",
+    "absorbs",
+    "melts",
+    "wears",
+    "falls",
+    "bends",
+    "stretches",
+    "rain",
+    "sand",
+    "fuel",
+    "snow",
 ];
 
 /// What stands before "not" where a verb follows.
@@ -145,7 +171,9 @@ impl Reader<'_> {
         } else if letters || whole && !formulas.is_empty() && signs.found.is_empty() && !operator {
             // Of a formula of several letters it may say something that leaves the letters as they are.
             let retells = subjects.is_empty() || subjects.iter().any(is_letter);
-            let anew = (any || of_a_part) && retells;
+            let mut words = self.tokens.iter().map(|t| t.lower.as_str());
+            let changes = subjects.is_empty() && words.any(|word| RETRACTING.contains(&word));
+            let anew = (any || of_a_part || changes) && retells;
             Touched::Letters { formulas, anew }
         } else if operator {
             Touched::Signs(subjects.into_iter().map(Sign::Operator).collect())

@@ -51,6 +51,12 @@ $$ J\ddot\theta=M $$
         "When a letter is bold it has components on B.",
         "While the body turns it loses mass.",
         "The moment is counted negative.",
+        "The body burns fuel.",
+        "While the body turns, sand falls onto it.",
+        "The cross product obeys the left-hand rule.",
+        "The axes of N form a left system.",
+        "The axis y points opposite to the usual way.",
+        "B spins backwards.",
     ] {
         assert_eq!(with(rule), "u", "{rule}");
     }
