@@ -4,6 +4,7 @@ use super::clause::as_formula;
 use super::reader::COPULAS;
 use super::sentence_parts::joins;
 use super::statement::{Declaration, Misread, Statement, Term, Touched};
+use super::unread::CONDITIONS;
 use super::words::{Kind, Token};
 
 /// Reads a sentence.
@@ -20,22 +21,6 @@ const LEADING: [&str; 24] = [
     "if", "when", "whenever", "while", "unless", "except", "after", "before", "until", "as", "for",
     "at", "during", "once", "provided", "assuming", "in", "on", "only", "without", "with", "from",
     "under", "between",
-];
-
-/// Words of a time or a case in which alone something is so.
-const CONDITIONS: [&str; 12] = [
-    "if",
-    "when",
-    "whenever",
-    "while",
-    "after",
-    "before",
-    "until",
-    "during",
-    "once",
-    "provided",
-    "assuming",
-    "initially",
 ];
 
 /// Words that may begin a part of the document.

@@ -110,9 +110,20 @@ const RULING: [&str; 21] = [
     "read",
 ];
 
-/// Words that begin what holds for a while.
-const CONDITIONS: [&str; 9] = [
-    "while", "when", "whenever", "if", "until", "once", "after", "before", "during",
+/// Words that begin a time or a case in which alone something holds.
+pub(super) const CONDITIONS: [&str; 12] = [
+    "if",
+    "when",
+    "whenever",
+    "while",
+    "after",
+    "before",
+    "until",
+    "during",
+    "once",
+    "provided",
+    "assuming",
+    "initially",
 ];
 
 /// The signs that a sentence speaks of, and whether it may be a rule beside them.
