@@ -207,8 +207,7 @@ impl Builder<'_> {
         let whole = crate::verify::reading::names::reach_of(&said.declaration.extent) == Reach::All;
         let of_parent = system.frames[frame].parent == Some(relative);
         let free = system.frames[frame].turn == Turn::Free;
-        let angle = slot(said.slots, Slot::By).cloned();
-        let rate = slot(said.slots, Slot::At).cloned();
+        let [angle, rate] = [Slot::By, Slot::At].map(|how| slot(said.slots, how).cloned());
         let shared = self.shared_axis(along_of(&about), frame, relative);
         // Where an angle is told, the axes are the same in their order where it is zero.
         let in_order = || self.axis_in_order(along_of(&about), frame, relative);

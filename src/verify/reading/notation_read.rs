@@ -47,8 +47,7 @@ impl Builder<'_> {
         self.number_by_labels();
     }
 
-    /// "`I_{ij}` is entry (i, j) of `I` on B", "`c_i` is the component `i` of `c` on B": letters that no sentence tells of
-    /// number the axes.
+    /// "`I_{ij}` is entry (i, j) of `I` on B": letters that no sentence tells of number the axes.
     fn number_by_labels(&mut self) {
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
@@ -349,11 +348,10 @@ fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,
-        Sign::Label { labels, .. } => match phrase.head {
-            "transpose" => labels.iter().all(|l| is_t(l)),
-            "inverse" => labels.iter().all(|l| plain_label(l) == "-1"),
-            _ => false,
-        },
+        Sign::Label { labels, .. } => labels.iter().all(|label| match phrase.head {
+            "transpose" => is_t(label),
+            head => head == "inverse" && plain_label(label) == "-1",
+        }),
         Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),
         Sign::Mark(mark) if mark.starts_with("dot") && !mark.ends_with("vector") => {
             phrase.head == "rate" && phrase.slot(Slot::SeenFrom).is_none()

@@ -275,8 +275,7 @@ impl Builder<'_> {
         Some((from, self.way_said(slots, declaration, moves_on_its_own)?))
     }
 
-    /// "P is placed from O by `$r$`", where both are fixed in one frame and no other sentence tells r: it is fixed in that as
-    /// well.
+    /// "P is placed from O by `$r$`", where both are fixed in one frame and no other sentence tells r: so is r.
     fn carried_way(&mut self, index: usize, fixed_in: &[FrameId]) -> Option<(PointId, Vector)> {
         let (_, slots) = self.declarations[index].statement.does("place")?;
         let Some(Term::Formula(by)) = slot(slots, Slot::By) else {
@@ -329,9 +328,8 @@ impl Builder<'_> {
         let Some(formula) = letter_of(distance) else {
             return false;
         };
-        let mut declarations = self.declarations.iter();
-        self.writes_rate(distance)
-            || declarations.any(|d| defined_as(formula, &d.statement).is_some())
+        let defined = |d: &Declaration| defined_as(formula, &d.statement).is_some();
+        self.writes_rate(distance) || self.declarations.iter().any(defined)
     }
 
     /// Whether the document writes the rate of a letter.

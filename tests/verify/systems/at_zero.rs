@@ -81,7 +81,7 @@ $\frac{\partial}{\partial\theta}$ takes functions of $x$, $\theta$, $\dot x$, $\
 /// Its force is across the motion; where the cart is pushed matters to nothing, and the pin keeps the rod in its plane.
 #[test]
 fn a_smooth_track_carries_what_moves_along_it() {
-    let sentences = format!("{CART}The track has no friction.\n");
+    let sentences = format!("{CART}The track has no friction.\nThe push on the cart is along X.\n");
     let text = r"
 $$ V=-mga\cos\theta $$
 $$ V=mga\cos\theta $$

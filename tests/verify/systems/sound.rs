@@ -211,7 +211,7 @@ $$ I_3\dot\omega_3 = (I_1 - I_2)\omega_1\omega_2 $$
 $$ I_3\dot\omega_3 = 0 $$
 $$ I_1\dot\omega_1 = (I_3 - I_2)\omega_2\omega_3 $$
 ";
-    assert_eq!(judged(sentences, text), "pr");
+    assert_eq!(judged(sentences, text), "ppr");
 }
 
 #[test]
@@ -294,7 +294,7 @@ $$ \omega_3 = \dot\phi\cos\theta + \dot\psi $$
 $$ \omega_z = \dot\psi\cos\theta + \dot\phi $$
 $$ \omega_z = \omega_3 $$
 ";
-    assert_eq!(judged(sentences, text), "pr");
+    assert_eq!(judged(sentences, text), "ppr");
 }
 
 #[test]

@@ -181,7 +181,7 @@ The axes of F coincide with the axes of E whenever $q=0$.
 $$ b = y $$
 $$ b = y\cos q+z\sin q $$
 ";
-    assert!(!judged(sentences, text).starts_with('p'));
+    assert!(!verdicts(sentences, text).0.starts_with('p'));
 }
 
 #[test]
