@@ -1,5 +1,6 @@
 //! Angles about an axis, from a direction to the vector between two points: where the second point is.
 
+use super::heads::MASS_CENTRE;
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -71,7 +72,7 @@ fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool 
     let holds = |declaration: &Declaration| match &declaration.statement {
         Statement::Is { subjects, what } if subjects.contains(point) => {
             let slot = match what.head {
-                "mass centre" => Slot::Of,
+                MASS_CENTRE => Slot::Of,
                 _ => Slot::FixedIn,
             };
             what.all(slot).cloned().collect()

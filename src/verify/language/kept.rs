@@ -16,11 +16,10 @@ const TAKING_BACK: [&str; 16] = [
     "without", "neither", "however", "less", "than", "or",
 ];
 
-/// Words that begin what a whole sentence depends on: a condition, a time, a part of the document.
-const LEADING: [&str; 24] = [
-    "if", "when", "whenever", "while", "unless", "except", "after", "before", "until", "as", "for",
-    "at", "during", "once", "provided", "assuming", "in", "on", "only", "without", "with", "from",
-    "under", "between",
+/// Words that beside those of a condition begin what a whole sentence depends on: a place, a part of the document.
+const LEADING: [&str; 13] = [
+    "unless", "except", "as", "for", "at", "in", "on", "only", "without", "with", "from", "under",
+    "between",
 ];
 
 /// Words that may begin a part of the document.
@@ -32,8 +31,11 @@ const PLACING: [&str; 11] = [
 fn has_condition(tokens: &[Token]) -> bool {
     let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
     let valued = |pair: &[Token]| pair[0].lower == "at" && formula(&pair[1]);
-    let word = |t: &Token| CONDITIONS.contains(&t.lower.as_str());
-    tokens.iter().any(word) || tokens.windows(2).any(valued)
+    tokens.iter().any(is_condition) || tokens.windows(2).any(valued)
+}
+
+fn is_condition(token: &Token) -> bool {
+    CONDITIONS.contains(&token.lower.as_str())
 }
 
 /// Whether a sentence may begin with a part of the document.
@@ -136,7 +138,7 @@ fn begun<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'
 
 /// What the last clause of a sentence says by itself, and the clauses before it, which are not understood.
 fn ended<'t>(tokens: &'t [Token], reader: Sentence<'_>) -> (Vec<Declaration>, &'t [Token]) {
-    let leading = |t: &Token| LEADING.contains(&t.lower.as_str());
+    let leading = |t: &Token| is_condition(t) || LEADING.contains(&t.lower.as_str());
     if tokens.first().is_some_and(leading) {
         return (vec![], tokens);
     }

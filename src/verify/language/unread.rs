@@ -228,8 +228,7 @@ impl Reader<'_> {
         }
         self.take_any(&ARTICLES) && {
             let sign = self.find(&[Class::Custom, Class::Mark, Class::Meaning]);
-            let thing = self.find(&[Class::Thing, Class::Place]);
-            sign.is_none() && thing.is_some()
+            sign.is_none() && self.at_thing()
         }
     }
 
@@ -259,18 +258,21 @@ impl Reader<'_> {
     /// Whether it tells what a thing is or does, what a load does, or what holds at a time or under a condition: that adds to
     /// what is known. What would take back what is assumed of all things of a kind does not.
     fn adds_a_premise(&mut self) -> bool {
-        let start = self.at;
         if self.takes_back() || self.at_formula() {
             return false;
         }
         let conditional = CONDITIONS.contains(&self.word())
             || self.word() == "at" && ARTICLES.contains(&self.word_at(1));
-        let adds = conditional
-            || self.begins_with_load()
-            || self.says_of_which_kind()
-            || self.says_what_things_do();
-        self.at = start;
-        adds
+        let start = self.at;
+        let mut from_start = |says: fn(&mut Self) -> bool| {
+            let said = says(self);
+            self.at = start;
+            said
+        };
+        conditional
+            || from_start(Self::begins_with_load)
+            || from_start(Self::says_of_which_kind)
+            || from_start(Self::says_what_things_do)
     }
 
     /// Whether a word may take back what is assumed of all things of a kind, or may be of a rule.
@@ -292,31 +294,30 @@ impl Reader<'_> {
     /// Whether it tells what a thing, a place or a load does, and of no way to write or to count: "The strings do not stretch
     /// …". What a thing is may take back what is assumed of all things of its kind.
     fn says_what_things_do(&mut self) -> bool {
-        let start = self.at;
         let (mut things, mut other) = (false, false);
         while !self.done() {
             other |= self.at_rule(false) || COPULAS.contains(&self.word());
-            things |= self.at_name() || self.at_thing();
+            things |= self.at_name() || self.at_thing() || self.at_load();
             self.at += 1;
         }
-        self.at = start;
         things && !other
     }
 
     fn at_thing(&self) -> bool {
-        let thing = self.find(&[Class::Thing, Class::Place]).is_some();
+        self.find(&[Class::Thing, Class::Place]).is_some()
+    }
+
+    fn at_load(&self) -> bool {
         let noun = self.find(&[Class::Noun]);
-        thing || noun.is_some_and(|noun| noun.entry.slot("on") == Some(Slot::Upon))
+        noun.is_some_and(|noun| noun.entry.slot("on") == Some(Slot::Upon))
     }
 
     /// "The lift …", "the force of the hoop …"
     fn begins_with_load(&mut self) -> bool {
-        let article = self.take_any(&ARTICLES);
-        let noun = self.find(&[Class::Noun]);
-        article && noun.is_some_and(|noun| noun.entry.slot("on") == Some(Slot::Upon))
+        self.take_any(&ARTICLES) && self.at_load()
     }
 
-    /// "… is a particle …", "… are two thin rods …"
+    /// "… is a particle …", "… are two thin rods …", "… are the only loads …"
     fn says_of_which_kind(&mut self) -> bool {
         let copula = (self.at..self.tokens.len())
             .find(|&at| COPULAS.contains(&self.tokens[at].lower.as_str()));
@@ -325,6 +326,9 @@ impl Reader<'_> {
         };
         self.at = copula + 1;
         self.take_any(&ARTICLES);
+        if self.take("only") && self.at_load() {
+            return true;
+        }
         while let Some(adjective) = self.find(&[Class::Adjective]) {
             self.at += adjective.length;
         }

@@ -70,13 +70,14 @@ impl Builder<'_> {
         };
         let called = Called::Noun(noun.clone(), body);
         if self.loads_called(&called).is_empty() {
+            let label = format!("{noun},{}", self.reading.system.bodies[body].name);
             if phrase.head == FORCE || FORCES_OF_A_KIND.contains(&phrase.head) {
-                let force = self.free_load(&format!("F_{{{noun},{body}}}"), None)?;
+                let force = self.free_load(&format!("F_{{{label}}}"), None)?;
                 self.push_named_load((&noun, body), force, Some(self.centre_of(body)));
             }
             let particle = self.reading.system.bodies[body].frame.is_none();
             if !particle || phrase.head != FORCE {
-                let text = format!("M_{{{noun},{body}}}");
+                let text = format!("M_{{{label}}}");
                 let axis = self.axis_of_moment(phrase, body);
                 let moment = self.free_load(&text, axis)?;
                 self.push_named_load((&noun, body), moment, None);

@@ -38,23 +38,17 @@ impl Builder<'_> {
 
     /// Whether a sentence says to which order in a letter lines hold.
     pub(super) fn is_of_told_order(&self, letter: &Term) -> bool {
-        let order = |slot: &Slot| matches!(slot, Slot::In | Slot::InSecondOrder);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::LineHolds { slots, .. } => {
-                let mut letters = slots.iter().filter(|(slot, _)| order(slot));
-                letters.any(|(_, term)| term == letter)
-            }
-            _ => false,
-        })
+        self.letters_of_orders().any(|term| term == letter)
     }
 
-    /// Whether a sentence says to which order in something lines hold.
-    pub(super) fn speaks_of_orders(&self) -> bool {
-        let order = |(slot, _): &(Slot, Term)| matches!(slot, Slot::In | Slot::InSecondOrder);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::LineHolds { slots, .. } => slots.iter().any(order),
-            _ => false,
-        })
+    /// In which letters sentences say to which order lines hold.
+    pub(super) fn letters_of_orders(&self) -> impl Iterator<Item = &Term> {
+        let slots = self.declarations.iter().flat_map(|d| match &d.statement {
+            Statement::LineHolds { slots, .. } => slots.as_slice(),
+            _ => &[],
+        });
+        let order = |(slot, _): &&(Slot, Term)| matches!(slot, Slot::In | Slot::InSecondOrder);
+        slots.filter(order).map(|(_, term)| term)
     }
 
     /// "Line 15 holds to first order in `$p$`": says whether it is a sentence of this form.

@@ -116,9 +116,9 @@ impl Builder<'_> {
             // What has a variable of its own obeys equations, and so does its reference value; how far it is from it where
             // something is small nothing tells.
             if value.as_variable().is_some() {
-                match self.speaks_of_orders() {
-                    true => return None,
-                    false => continue,
+                match self.letters_of_orders().next() {
+                    Some(_) => return None,
+                    None => continue,
                 }
             }
             let mut calm = undisturbed(atoms, &value, &small)?;

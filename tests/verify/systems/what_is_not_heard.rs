@@ -57,11 +57,14 @@ $$ J\ddot\theta=M $$
         "The axes of N form a left system.",
         "The axis y points opposite to the usual way.",
         "B spins backwards.",
+        "B is skewed against the body.",
+        "The gribbles are those of the body.",
     ] {
         assert_eq!(with(rule), "u", "{rule}");
     }
     for fact in [
         "The strings of the body do not stretch.",
+        "The gribble at O and its weight are the only loads on the body with its axle.",
         "The hinges exert no force on the body.",
         "When the wind blows the body turns on and on.",
     ] {
