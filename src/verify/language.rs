@@ -58,6 +58,7 @@ mod laid_rods;
 mod lexicon;
 mod listed;
 mod listed_between;
+mod listed_loads;
 mod manual;
 mod meeting_axes;
 mod member_wheels;

@@ -320,7 +320,7 @@ $$ J=\tfrac13 m l^2 $$
 fn a_rod_turns_as_the_way_between_its_ends() {
     let sentences = r"
 N is an inertial frame.
-X, Y, Z are the axes of N.
+$X$, $Y$, $Z$ are the axes of N.
 Y is the upward vertical.
 O is a point fixed in N.
 The beam is a uniform thin rod of mass $m$ and length $b$.
