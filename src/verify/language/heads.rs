@@ -122,6 +122,8 @@ pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
     ["thrust", "lift", "drag", AERODYNAMIC_FORCE, "buoyancy"];
 /// What a motor exerts.
 pub(crate) const MOTOR_MOMENT: &str = "motor moment";
+/// The sense in which an angle grows: about an axis.
+pub(crate) const POSITIVE_ABOUT: &str = "positive about";
 /// The time from one step to the next.
 pub(crate) const STEP_SIZE: &str = "step size";
 /// Nouns of moments of one kind.
@@ -301,6 +303,7 @@ mod tests {
             DERIVATIVE,
             PARTIAL_DERIVATIVE,
             STEP_SIZE,
+            POSITIVE_ABOUT,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();

@@ -1,6 +1,6 @@
 //! Lines that are told by their angle with an axis, towards another one: they turn in the plane of both.
 
-use super::heads::VERTICAL;
+use super::heads::{POSITIVE_ABOUT, VERTICAL};
 use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
@@ -49,28 +49,18 @@ fn turned(
     let ([Term::Formula(letter)], "angle") = (subjects.as_slice(), what.head) else {
         return None;
     };
-    let towards = what.all(Slot::With).find_map(|with| match with {
-        Term::Phrase(sense) if SENSES.contains(&sense.head) => sense.slot(Slot::Of),
-        _ => None,
-    })?;
     let from = direction(what.slot(Slot::RelativeTo)?, declarations)?;
-    let towards = direction(towards, declarations)?;
-    if towards.reversed || towards.frame != from.frame || towards.number == from.number {
-        return None;
-    }
+    let (about, forwards) = sense(what, &from, declarations)?;
     let line = match what.slot(Slot::To).or_else(|| what.slot(Slot::Of))? {
         Term::Phrase(way) if way.head == "axis" => line_between(way, declarations)?,
         body @ Term::Name(_) => Line::Body(body.clone()),
         _ => return None,
     };
-    // About the third axis the first one turns towards the second.
-    let about = 6 - from.number - towards.number;
-    let forwards = towards.number == from.number % 3 + 1;
     let source = match (from.reversed, forwards) {
         (false, true) => letter.source.clone(),
         (false, false) => format!("-{}", letter.source),
-        (true, true) => format!("\\pi-{}", letter.source),
-        (true, false) => format!("{}-\\pi", letter.source),
+        (true, true) => format!("{}+\\pi", letter.source),
+        (true, false) => format!("\\pi-{}", letter.source),
     };
     let angle = Term::Formula(formula(&source, false, macros)?);
     let by = NounPhrase::new("angle", vec![(Slot::Which, angle)]);
@@ -84,6 +74,32 @@ fn turned(
         ],
     };
     Some((line, from.number, turn))
+}
+
+/// The number of the axis about which a line turns from a direction, and whether it turns forwards about it: towards another
+/// direction, or about a third one.
+fn sense(
+    what: &NounPhrase,
+    from: &Direction,
+    declarations: &[Declaration],
+) -> Option<(usize, bool)> {
+    let said = |senses: &[&str]| {
+        what.all(Slot::With).find_map(|with| match with {
+            Term::Phrase(sense) if senses.contains(&sense.head) => sense.slot(Slot::Of),
+            _ => None,
+        })
+    };
+    let across = |other: &Direction| other.frame == from.frame && other.number != from.number;
+    if let Some(towards) = said(&SENSES) {
+        let towards = direction(towards, declarations).filter(across)?;
+        // About the third axis the first one turns towards the second.
+        let cyclic = towards.number == from.number % 3 + 1;
+        let forwards = cyclic != (from.reversed != towards.reversed);
+        return Some((6 - from.number - towards.number, forwards));
+    }
+    let about = said(&[POSITIVE_ABOUT]).or_else(|| what.slot(Slot::About))?;
+    let about = direction(about, declarations).filter(across)?;
+    Some((about.number, !about.reversed))
 }
 
 /// An axis by its name, or the vertical where that is one of the axes.

@@ -16,6 +16,14 @@ pub(super) const END: &str = "end";
 /// The noun of the point of a cone.
 pub(super) const APEX: &str = "apex";
 
+/// By what an end of a body is held, the firmest first.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Hold {
+    Space,
+    Body,
+    Nothing,
+}
+
 impl Builder<'_> {
     /// Gives each body the names of its ends: those that are fixed in space first.
     pub(super) fn name_ends(&mut self) {
@@ -29,7 +37,7 @@ impl Builder<'_> {
                 said.extend(names.map(|name| (body, name)));
             }
         }
-        said.sort_by_cached_key(|(_, name)| !self.is_said_fixed(name));
+        said.sort_by_cached_key(|(body, name)| self.hold_on(*body, name));
         for (body, name) in said {
             let ends = &mut self.reading.system.bodies[body].ends;
             if !ends.contains(&name) {
@@ -38,16 +46,23 @@ impl Builder<'_> {
         }
     }
 
-    /// Whether a sentence says that a point is fixed in space.
-    fn is_said_fixed(&self, name: &str) -> bool {
+    /// By what an end is held: in space, by another body, or by nothing.
+    fn hold_on(&self, body: BodyId, name: &str) -> Hold {
         let ground = self.reading.system.ground;
-        self.declarations.iter().any(|d| match &d.statement {
+        let own = self.reading.system.bodies[body].frame;
+        let said = self.declarations.iter().filter_map(|d| match &d.statement {
             Statement::Is { subjects, what } => {
-                let own = subjects.iter().any(|s| name_of(s).as_deref() == Some(name));
-                own && self.frames_fixed(what).contains(&ground)
+                let named = subjects.iter().any(|s| name_of(s).as_deref() == Some(name));
+                named.then(|| self.frames_fixed(what))
             }
-            _ => false,
-        })
+            _ => None,
+        });
+        let frames: Vec<_> = said.flatten().collect();
+        match frames.contains(&ground) {
+            true => Hold::Space,
+            false if frames.iter().any(|frame| Some(*frame) != own) => Hold::Body,
+            false => Hold::Nothing,
+        }
     }
 
     /// The bodies that have an end of this name, and whether it is the one at which the line of each begins.
@@ -60,12 +75,16 @@ impl Builder<'_> {
     }
 
     /// Whether the model knows where the ends of a body are: at which one its line begins is a choice only where no sentence
-    /// says along which axis it lies.
+    /// says along which axis it lies. A rod that is told to point somewhere does so from the end by which it is held.
     pub(super) fn has_ends(&self, body: BodyId) -> bool {
-        (1..=2).contains(&self.reading.system.bodies[body].ends.len())
+        let known = &self.reading.system.bodies[body];
+        let chosen = self.axis_of_line(body) == Some((ALONG, false));
+        let points = known.line.is_some_and(|line| !line.by_points) && self.is_rod(body);
+        let held = |end: &String| self.hold_on(body, end) != Hold::Nothing;
+        (1..=2).contains(&known.ends.len())
             && (self.is_rod(body) || self.is_cone(body))
             && self.told_axis_of_shape(body).is_none()
-            && self.axis_of_line(body) == Some((ALONG, false))
+            && (chosen || points && known.ends.first().is_some_and(held))
     }
 
     /// Whether a noun is that of ends that the model knows.
