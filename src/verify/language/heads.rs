@@ -122,6 +122,8 @@ pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
     ["thrust", "lift", "drag", AERODYNAMIC_FORCE, "buoyancy"];
 /// What a motor exerts.
 pub(crate) const MOTOR_MOMENT: &str = "motor moment";
+/// Where two bodies touch.
+pub(crate) const CONTACT_POINT: &str = "contact point";
 /// The sense in which an angle grows: about an axis.
 pub(crate) const POSITIVE_ABOUT: &str = "positive about";
 /// The time from one step to the next.
@@ -304,6 +306,7 @@ mod tests {
             PARTIAL_DERIVATIVE,
             STEP_SIZE,
             POSITIVE_ABOUT,
+            CONTACT_POINT,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();

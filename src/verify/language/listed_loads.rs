@@ -1,9 +1,9 @@
 //! Loads of which a list of the only ones on a body tells: wherever else sentences speak of them they act on that body, and
 //! at the same point.
 
-use super::heads::WEIGHT;
+use super::heads::{CONTACT_POINT, WEIGHT};
 use super::lexicon::{Class, Lexicon};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 
 /// A load in the list of a body.
 struct Listed {
@@ -14,7 +14,13 @@ struct Listed {
 /// "The force of the floor is along z", where a list has the force of the floor at P among the loads on the ladder: it is that
 /// one.
 pub(crate) fn act_as_listed(declarations: &mut [Declaration]) {
-    let listed: Vec<Listed> = declarations.iter().flat_map(in_list).collect();
+    let mut listed: Vec<Listed> = declarations.iter().flat_map(in_list).collect();
+    // What acts where two bodies touch is found by the bodies.
+    let touching = |at: &Term| declarations.iter().any(|d| is_contact(at, &d.statement));
+    for Listed { load, .. } in &mut listed {
+        load.slots
+            .retain(|(slot, at)| *slot != Slot::At || !touching(at));
+    }
     for declaration in declarations {
         match &mut declaration.statement {
             Statement::Is { subjects, what } => {
@@ -26,6 +32,17 @@ pub(crate) fn act_as_listed(declarations: &mut [Declaration]) {
             }
             _ => {}
         }
+    }
+}
+
+/// Whether a sentence says that bodies touch at a point.
+fn is_contact(at: &Term, statement: &Statement) -> bool {
+    match statement {
+        Statement::Is { subjects, what } => what.head == CONTACT_POINT && subjects.contains(at),
+        Statement::Does { verb, slots, .. } => {
+            *verb == "touch" && slot(slots, Slot::At) == Some(at)
+        }
+        _ => false,
     }
 }
 
@@ -88,7 +105,7 @@ fn is_same(phrase: &NounPhrase, listed: &Listed) -> bool {
         && phrase.slot(Slot::Which).is_none()
         && listed.load.slot(Slot::Which).is_none()
         && upon.is_none_or(|upon| *upon == listed.body)
-        && at.is_none_or(|at| Some(at) == listed.load.slot(Slot::At))
+        && at.is_none_or(|at| listed.load.slot(Slot::At).is_none_or(|own| own == at))
 }
 
 /// Whether a noun means something that acts on bodies, and not its weight.

@@ -1,5 +1,6 @@
 //! Planes, points of contact, and rolling.
 
+pub(super) use crate::verify::language::heads::CONTACT_POINT;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
 use crate::verify::model::system::{BodyId, PointId, Vector};
@@ -7,9 +8,6 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, told};
 use crate::verify::reading::surface_read::surface_and_side;
 use crate::verify::term::quantity::Spot;
-
-/// The noun of the point where a body touches something.
-pub(super) const CONTACT_POINT: &str = "contact point";
 
 impl Builder<'_> {
     /// Planes, the points where bodies touch them, and what rolls there.

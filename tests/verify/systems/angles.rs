@@ -85,3 +85,34 @@ $$ \frac{d\hat p_j}{dt} = 0 $$
 ";
     assert!(!judged(sentences, text).ends_with('p'));
 }
+
+#[test]
+fn an_angle_about_an_axis_from_a_direction_turns_a_line() {
+    let sentences = r"
+N is an inertial frame.
+$i$, $j$, $k$ are the axes of N.
+$j$ is the upward vertical.
+The cart is a rigid body of mass $M$. The cart moves relative to N along $i$.
+The beam is a uniform thin rod of mass $m$ and length $2l$.
+The beam is hinged to the cart at Q.
+Q is an end of the beam.
+O is a fixed point of N.
+$x$ is the component along $i$ of the position of Q from O.
+$\theta$ is the angle about $k$ from the downward vertical to the beam.
+C is the mass centre of the beam.
+$a$ and $b$ are the components along $i$ and $j$ of the position of C from Q.
+";
+    let text = r"
+$$ a = l\sin\theta $$
+$$ b = -l\cos\theta $$
+$$ a = -l\sin\theta $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+    let backwards = sentences.replace("angle about $k$", "angle about $-k$");
+    assert_eq!(judged(&backwards, text), "rpp");
+    let sense = sentences.replace(
+        "about $k$ from the downward vertical to the beam",
+        "from the downward vertical to the beam, positive about $k$",
+    );
+    assert_eq!(judged(&sense, text), "ppr");
+}

@@ -145,3 +145,32 @@ $$ w=\dot\phi\,i+\dot\lambda\cos\phi\,j+\dot\lambda\sin\phi\,k $$
 ";
     assert_eq!(judged(sentences, text), "prprpr");
 }
+
+#[test]
+fn a_load_of_a_list_acts_on_the_body_of_the_list_wherever_it_is_spoken_of() {
+    let sentences = r"
+N is an inertial frame.
+$i$, $j$, $k$ are the axes of N.
+$j$ is the upward vertical.
+O is a point fixed in N.
+The beam is a rigid body of mass $m$.
+G is the mass centre of the beam.
+E lies at the distance $b$ from O along $j$.
+D lies at the distance $c$ from O along $i$.
+$x$, $y$ are the components on $i$ and $j$ of the position of G from O.
+$g$ is the acceleration of gravity.
+The weight, the force of the wall at E and the force of the floor at D are the only loads on the beam.
+The force of the wall is along $i$.
+The force of the floor is along $j$.
+$P$ is the force of the wall on the beam along $i$.
+$Q$ is the force of the floor on the beam along $j$.
+";
+    let text = r"
+$$ P = m\ddot x $$
+$$ Q - mg = m\ddot y $$
+$$ Q - mg = 2m\ddot y $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+    let without = sentences.replace("The force of the floor is along $j$.\n", "");
+    assert_ne!(&judged(&without, text)[..1], "p");
+}
