@@ -92,7 +92,8 @@ fn an_angle_about_an_axis_from_a_direction_turns_a_line() {
 N is an inertial frame.
 $i$, $j$, $k$ are the axes of N.
 $j$ is the upward vertical.
-The cart is a rigid body of mass $M$. The cart moves relative to N along $i$.
+The cart is a rigid body of mass $M$.
+The cart keeps its direction relative to N.
 The beam is a uniform thin rod of mass $m$ and length $2l$.
 The beam is hinged to the cart at Q.
 Q is an end of the beam.
