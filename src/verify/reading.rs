@@ -79,6 +79,7 @@ pub(crate) mod shapes_read;
 pub(crate) mod sizes_read;
 mod small_oscillations;
 pub(crate) mod smooth_read;
+mod steady_read;
 pub(crate) mod step_functions;
 pub(crate) mod steps_read;
 pub(crate) mod surface_read;
