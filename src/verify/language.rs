@@ -93,6 +93,7 @@ mod rigid_wholes;
 mod roles;
 mod same;
 mod same_lines;
+mod senses;
 mod sentence_parts;
 mod sides;
 mod sign;

@@ -86,6 +86,7 @@ pub(crate) mod surface_read;
 pub(crate) mod symmetry_axes;
 pub(crate) mod symmetry_read;
 pub(crate) mod told_twice;
+mod touched;
 mod turn_order;
 pub(crate) mod turns_read;
 pub(crate) mod unused;

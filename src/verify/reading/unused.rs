@@ -23,6 +23,8 @@ pub(crate) struct Unused {
     pub(crate) understood: bool,
     /// What it says makes the model larger than what is worked out.
     pub(crate) beyond: bool,
+    /// It says what something is: without it nothing that hangs on that is known.
+    pub(crate) tells: bool,
     /// What would help, where that is known.
     pub(crate) wants: Option<Wants>,
     pub(crate) reach: Reach,
@@ -77,6 +79,11 @@ impl Unused {
         }
     }
 
+    /// Whether lines may mean something else by it.
+    fn blocks(&self) -> bool {
+        !self.understood || self.tells
+    }
+
     fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
         let one_in = |own: &BTreeSet<String>| letters.iter().any(|letter| own.contains(letter));
         match (&self.letters, &self.connected) {
@@ -115,8 +122,7 @@ impl Reading {
 
     /// A sentence that was not understood, without which nothing can be said of formulas at a place.
     pub(crate) fn unread_of(&self, written: Written<'_>, at: &At) -> Option<&str> {
-        let tells =
-            |unused: &&Unused| !unused.understood && unused.may_change(written, &self.letters);
+        let tells = |unused: &&Unused| unused.blocks() && unused.may_change(written, &self.letters);
         let found = self.unused_at(at).find(tells);
         found.map(|unused| unused.sentence.as_str())
     }
