@@ -147,11 +147,13 @@ pub(crate) const OF_SYMMETRY: [&str; 2] = ["symmetry axis", "spin axis"];
 /// What a moment may be about, beside points.
 pub(crate) const AXES: [&str; 4] = [VERTICAL, "axis", "symmetry axis", "spin axis"];
 /// Words of from where something is counted, and which way, and of which hand axes are.
-pub(crate) const OF_COUNTING: [&str; 16] = [
+pub(crate) const OF_COUNTING: [&str; 18] = [
     "zero",
     "vanishes",
     "begins",
     "starts",
+    "grows",
+    "increases",
     "against",
     "counted",
     "measured",

@@ -146,13 +146,13 @@ impl Declaration {
             }
             _ => None,
         };
+        let anew = self.extent != Extent::Document;
         let touched = match named.or(moving) {
-            Some(formulas) => Touched::Letters {
-                formulas,
-                // What a letter is said to be, or not to be, may be more than what other sentences tell of it.
-                anew: self.extent != Extent::Document
-                    || matches!(self.statement, Statement::Is { .. }),
-            },
+            // What a letter is said to be, or not to be, may be more than what other sentences tell of it.
+            Some(formulas) if !anew && matches!(self.statement, Statement::Is { .. }) => {
+                Touched::Written(formulas)
+            }
+            Some(formulas) => Touched::Letters { formulas, anew },
             None => Touched::Everything,
         };
         let letters = vec![];

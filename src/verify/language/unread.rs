@@ -187,10 +187,10 @@ impl Reader<'_> {
             let changes = subjects.is_empty() && words.any(|word| RETRACTING.contains(&word));
             let anew = (any || of_a_part || changes) && (subjects.is_empty() || letter);
             // From where a letter is counted, and which way, nothing else tells.
-            let counted = letter && !anew && words.any(|word| OF_COUNTING.contains(&word));
-            Touched::Letters {
-                formulas: if counted { subjects } else { formulas },
-                anew: anew || counted,
+            match (words.any(|word| OF_COUNTING.contains(&word)), letter) {
+                (true, true) if !anew => Touched::Written(subjects),
+                (true, false) if self.begins_with_named() => Touched::Written(formulas),
+                _ => Touched::Letters { formulas, anew },
             }
         } else if operator {
             Touched::Signs(subjects.into_iter().map(Sign::Operator).collect())

@@ -76,8 +76,11 @@ fn is_misheard(statement: &Statement) -> bool {
             let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
             let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
             let counted = what.head != "angle" && has_sense(what);
+            // "positive clockwise" says which way something is counted.
+            let how = what.head == "positive" && what.slot(Slot::With).is_some();
             opposite
                 || counted
+                || how
                 || (what.head != MASS && is_per_unit(what))
                 || has_reversed(&what.slots)
         }

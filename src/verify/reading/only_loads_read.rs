@@ -2,14 +2,16 @@
 
 use crate::algebra::Fraction;
 use crate::verify::language::heads::{FORCE, MOMENT};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_between::one_of_each;
 use crate::verify::reading::loads_read::{Acting, FORCES, lasting_of, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{is_letter, is_marked_vector, node_of};
+use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -279,12 +281,30 @@ impl Builder<'_> {
         {
             return Some(vec![between]);
         }
-        if !letters.is_empty() {
-            let letters = letters.into_iter();
-            return letters.map(|letter| self.load(letter, lasting)).collect();
-        }
         let body = self.body_of(premise);
+        if !letters.is_empty() {
+            let mut all = letters.iter();
+            let known = letters.iter().map(|letter| self.load(letter, lasting));
+            let known: Option<Vec<Load>> = known.collect();
+            // What the noun names a sentence ties to the letter.
+            let tied = known.is_none() && all.all(|letter| self.is_said_to_be(letter, load));
+            return if tied {
+                self.named_load(load, body)
+            } else {
+                known
+            };
+        }
         self.named_load(load, body)
+    }
+
+    /// Whether a sentence says that a letter is a load of this kind.
+    fn is_said_to_be(&self, letter: &Formula, load: &NounPhrase) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == load.head => {
+                formulas(subjects).any(|own| same_letter(own, letter))
+            }
+            _ => false,
+        })
     }
 
     fn hold_loads(

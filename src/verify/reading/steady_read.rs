@@ -2,9 +2,9 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
-use crate::verify::language::heads::SECOND_RATE;
+use crate::verify::language::heads::{SECOND_RATE, WEIGHT};
 use crate::verify::language::statement::{
-    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
+    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, Touched, slot,
 };
 use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -61,14 +61,19 @@ impl Builder<'_> {
             return false;
         };
         let unused = &self.reading.unused;
-        let mut unread = self.declarations.iter().filter(|d| d.is_unread());
-        unused.iter().any(|u| u.about.contains(&letter.source))
-            || unread.any(|d| {
-                let formulas = d.statement.formulas().into_iter();
-                let mut names = formulas.flat_map(nodes_of).flat_map(letter_names);
-                let own = letter_names(node);
+        let own = letter_names(node);
+        let speaks = |d: &Declaration| match &d.statement {
+            Statement::Unread {
+                touched: Touched::Letters { formulas, .. } | Touched::Written(formulas),
+                ..
+            } => {
+                let mut names = formulas.iter().flat_map(nodes_of).flat_map(letter_names);
                 names.any(|name| own.contains(&name))
-            })
+            }
+            _ => false,
+        };
+        unused.iter().any(|u| u.about.contains(&letter.source))
+            || self.declarations.iter().any(speaks)
     }
 
     /// Whether the document writes the rate of a letter.
@@ -116,17 +121,22 @@ impl Builder<'_> {
             }
         }
         self.let_movers_change();
+        self.let_free_particles_change();
         for declaration in self.declarations {
             let Statement::Does {
                 subjects,
-                verb: "move" | "slide",
+                verb: verb @ ("move" | "slide" | "swing"),
                 slots,
             } = &declaration.statement
             else {
                 continue;
             };
             for subject in subjects {
-                if let Some(way) = self.way_of_mover(subject, slots, declaration) {
+                let way = match (*verb, slot(slots, Slot::Along)) {
+                    ("slide", None) => self.whole_way(subject),
+                    _ => self.way_of_mover(subject, slots, declaration),
+                };
+                if let Some(way) = way {
                     self.let_change(&way);
                 }
             }
@@ -160,6 +170,39 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// A particle on which nothing acts but its weight is held by nothing.
+    fn let_free_particles_change(&mut self) {
+        let declarations = self.declarations;
+        for declaration in declarations {
+            let Statement::Premise(premise) = &declaration.statement else {
+                continue;
+            };
+            let weight = |load: &Term| load.is_noun(WEIGHT);
+            let loads = matches!(premise.head, "force" | "load");
+            let only = premise.adjectives == ["only"] && premise.all(Slot::With).all(weight);
+            let none = premise.adjectives == ["no"];
+            let plain = |(slot, _): &(Slot, Term)| matches!(slot, Slot::Of | Slot::With);
+            if !loads || !(only || none && premise.slot(Slot::With).is_none()) {
+                continue;
+            }
+            for of in premise
+                .all(Slot::Of)
+                .filter(|_| premise.slots.iter().all(plain))
+            {
+                let particle = self
+                    .body(of)
+                    .is_some_and(|body| self.reading.system.bodies[body].frame.is_none());
+                if let (true, Some(way)) = (particle, self.whole_way(of)) {
+                    self.let_change(&way);
+                }
+            }
+        }
+    }
+
+    fn whole_way(&self, subject: &Term) -> Option<Vector> {
+        self.told_place(subject, self.point(subject)?)
     }
 
     /// The part of the way to a point that changes where it is said to move along something, or relative to a frame.

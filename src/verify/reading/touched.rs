@@ -3,19 +3,23 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, Touched};
-use crate::verify::reading::names::{node_of, nodes_of};
+use crate::verify::reading::names::{letter_of, node_of, nodes_of};
 use crate::verify::reading::unused::{Touches, carries};
 use crate::verify::term::letters::{letter_names, spelled};
 use std::collections::BTreeSet;
 
 /// Verbs of how something lies.
-const LYING: [&str; 3] = ["hang", "point", "incline"];
+const LYING: [&str; 4] = ["hang", "point", "lie", "incline"];
 
 /// What a sentence that was not read may change. What a rule for a sign changes in the formulas of other sentences reaches
 /// all lines.
 pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touches {
     let Statement::Unread { touched, .. } = statement else {
         let formulas = statement.formulas().into_iter();
+        if matches!(statement, Statement::Is { .. }) {
+            let subjects = statement.subjects().iter().filter_map(letter_of);
+            return Touches::Written(subjects.flat_map(nodes_of).map(spelled).collect());
+        }
         return Touches::Letters {
             names: formulas.flat_map(nodes_of).flat_map(letter_names).collect(),
             wholes: vec![],
@@ -35,6 +39,9 @@ pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touch
                     anew: *anew,
                 }
             })
+        }
+        Touched::Written(formulas) => {
+            Touches::Written(formulas.iter().flat_map(nodes_of).map(spelled).collect())
         }
         Touched::Signs(signs) => {
             let holding = others.iter().filter_map(|other| match &other.statement {
@@ -62,13 +69,14 @@ fn is_bare(node: &Node) -> bool {
     }
 }
 
-/// Whether it tells what nothing else does: how something lies where an angle is zero, or that letters are not what they are
-/// by custom. That one is not constant, or not small, only adds.
+/// Whether it tells what nothing else does: how something lies where an angle is zero, between what an angle is, or that
+/// letters are not what they are by custom. That one is not constant, or not small, only adds.
 pub(super) fn tells_anew(statement: &Statement) -> bool {
     let (verb, slots) = match statement {
         Statement::Does { verb, slots, .. } => (verb, slots),
         Statement::Is { what, .. } => {
-            return what.is("not") && !["constant", "small", "zero"].contains(&what.head);
+            return what.head == "angle"
+                || what.is("not") && !["constant", "small", "zero"].contains(&what.head);
         }
         _ => return false,
     };

@@ -49,6 +49,8 @@ pub(crate) enum Touches {
         /// Whatever other sentences tell of them.
         anew: bool,
     },
+    /// Of these formulas as they are written, whatever other sentences tell of them.
+    Written(Vec<String>),
     /// Of what carries one of these signs.
     Signs(Vec<Sign>),
     Everything,
@@ -69,6 +71,9 @@ impl Unused {
         match &self.touches {
             Touches::Everything => true,
             Touches::Signs(signs) => nodes.any(|node| signs.iter().any(|sign| carries(node, sign))),
+            Touches::Written(wholes) => {
+                nodes.any(|node| wholes.iter().any(|whole| stands_in(node, whole)))
+            }
             Touches::Letters { names, anew, .. } if *anew => {
                 nodes.any(|node| names_one(node, names))
             }
@@ -147,12 +152,13 @@ pub(super) fn letters_of_subjects(statement: &Statement) -> BTreeSet<String> {
     letters
 }
 
+fn stands_in(node: &Node, whole: &str) -> bool {
+    spelled(node) == whole || node.children().any(|child| stands_in(child, whole))
+}
+
 /// Whether formulas have one of some writings of which no sentence tells as a whole: what its letter and its labels mean apart
 /// is not what it means.
 fn has_untold(written: Written<'_>, wholes: &[String], letters: &Letters) -> bool {
-    fn stands_in(node: &Node, whole: &str) -> bool {
-        spelled(node) == whole || node.children().any(|child| stands_in(child, whole))
-    }
     let told = |whole: &str| letters.letters.iter().any(|l| l.spelled == whole);
     let mut untold = wholes.iter().filter(|whole| !told(whole));
     untold.any(|whole| written.nodes.iter().any(|node| stands_in(node, whole)))
