@@ -183,11 +183,11 @@ impl Reader<'_> {
         } else if letters || whole && !formulas.is_empty() && signs.found.is_empty() && !operator {
             // Of a formula of several letters it may say something that leaves the letters as they are.
             let letter = subjects.iter().any(is_letter);
-            let mut words = self.tokens.iter().map(|t| t.lower.as_str());
-            let changes = subjects.is_empty() && words.any(|word| RETRACTING.contains(&word));
+            let has = |list: &[&str]| self.tokens.iter().any(|t| list.contains(&t.lower.as_str()));
+            let changes = subjects.is_empty() && has(&RETRACTING);
             let anew = (any || of_a_part || changes) && (subjects.is_empty() || letter);
             // From where a letter is counted, and which way, nothing else tells.
-            match (words.any(|word| OF_COUNTING.contains(&word)), letter) {
+            match (has(&OF_COUNTING), letter) {
                 (true, true) if !anew => Touched::Written(subjects),
                 (true, false) if self.begins_with_named() => Touched::Written(formulas),
                 _ => Touched::Letters { formulas, anew },

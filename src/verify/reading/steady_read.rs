@@ -122,6 +122,11 @@ impl Builder<'_> {
         }
         self.let_movers_change();
         self.let_free_particles_change();
+        self.let_sliders_change();
+    }
+
+    /// What moves, slides or swings along something changes its place along that.
+    fn let_sliders_change(&mut self) {
         for declaration in self.declarations {
             let Statement::Does {
                 subjects,
@@ -132,11 +137,10 @@ impl Builder<'_> {
                 continue;
             };
             for subject in subjects {
-                let way = match (*verb, slot(slots, Slot::Along)) {
-                    ("slide", None) => self.whole_way(subject),
-                    _ => self.way_of_mover(subject, slots, declaration),
-                };
-                if let Some(way) = way {
+                // What slides moves along something, whether that is told or not.
+                let told = self.way_of_mover(subject, slots, declaration);
+                let whole = || self.whole_way(subject).filter(|_| *verb == "slide");
+                if let Some(way) = told.or_else(whole) {
                     self.let_change(&way);
                 }
             }
@@ -217,7 +221,8 @@ impl Builder<'_> {
         if let Some(frame) = slot(slots, Slot::RelativeTo).and_then(|term| self.frame(term)) {
             return self.rests(&way, frame).then_some(way);
         }
-        let along = slot(slots, Slot::Along)?;
+        // What swings along an axis is said to swing about it, as a body does.
+        let along = slot(slots, Slot::Along).or_else(|| slot(slots, Slot::About))?;
         if self.body(along).is_some() {
             return Some(way);
         }

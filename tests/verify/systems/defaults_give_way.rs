@@ -81,6 +81,37 @@ $$v = a\dot\theta j$$
 }
 
 #[test]
+fn words_that_tell_of_a_motion_keep_no_distance() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+O is a point fixed in N.
+B turns relative to N about z by the angle $\theta$.
+$i, j, k$ are the axes of B.
+Q is a particle of mass $m$.
+Q lies at the distance $a$ from O along i.
+$v$ is the velocity of Q relative to N.
+";
+    let text = r"
+$$v = a\dot\theta j$$
+";
+    assert_eq!(judged(sentences, text), "p");
+    for (more, expected) in [
+        ("$a$ is not constant.", "u"),
+        ("$a$ grows with time.", "u"),
+        ("Q moves relative to B.", "r"),
+        ("$u$ is the rate of $a$.", "r"),
+        ("No force acts on Q.", "r"),
+    ] {
+        assert_eq!(
+            judged(&format!("{sentences}{more}\n"), text),
+            expected,
+            "{more}"
+        );
+    }
+}
+
+#[test]
 fn a_velocity_relative_to_what_turns_is_not_zero_by_custom() {
     let sentences = r"
 N is an inertial frame.
@@ -284,6 +315,9 @@ $$i = \cos a x+\sin a y$$
         "$a$ is the angle between i and y.",
         "$a$ is counted against z.",
         "$a$ is measured clockwise.",
+        "The angle $a$ is measured from y.",
+        "$a$ is positive clockwise.",
+        "i lies along y at $a=0$.",
     ] {
         assert_eq!(judged(&format!("{sentences}{more}\n"), text), "u", "{more}");
     }
