@@ -68,22 +68,7 @@ fn is_misheard(statement: &Statement) -> bool {
             hows.any(|(_, how)| !how.is_noun(TOWARDS))
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
-        Statement::Is { subjects, what } => {
-            let with = what.all(Slot::With).any(is_of_thing);
-            if is_body(what.head) && with {
-                return true;
-            }
-            let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
-            let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
-            let counted = what.head != "angle" && has_sense(what);
-            // "positive clockwise" says which way something is counted.
-            let how = what.head == "positive" && what.slot(Slot::With).is_some();
-            opposite
-                || counted
-                || how
-                || (what.head != MASS && is_per_unit(what))
-                || has_reversed(&what.slots)
-        }
+        Statement::Is { subjects, what } => is_said_otherwise(subjects, what),
         Statement::Premise(what) => {
             (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
         }
@@ -99,6 +84,24 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether words make another thing of what something is said to be.
+fn is_said_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
+    let with = what.all(Slot::With).any(is_of_thing);
+    if is_body(what.head) && with {
+        return true;
+    }
+    let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
+    let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
+    let counted = what.head != "angle" && has_sense(what);
+    // "positive clockwise" says which way something is counted.
+    let how = what.head == "positive" && what.slot(Slot::With).is_some();
+    opposite
+        || counted
+        || how
+        || (what.head != MASS && is_per_unit(what))
+        || has_reversed(&what.slots)
 }
 
 /// Whether something is done in a way that makes another thing of it.

@@ -60,14 +60,13 @@ impl Builder<'_> {
             (None, Some(_)) => self.body_of(phrase)?,
             (None, None) => on.or_else(|| self.body_of(phrase))?,
         };
-        let told = self.forces_of_agent(phrase, body);
-        if agent.is_some() && !is_force_at(phrase) && !told.is_empty() {
-            let loads = told.into_iter();
-            return loads
-                .map(|letter| self.load(letter, Lasting::Always))
-                .collect();
+        let mut told = match agent.is_some() && !is_force_at(phrase) {
+            true => self.forces_of_agent(phrase, body),
+            false => vec![],
+        };
+        if told.is_empty() {
+            told = self.letters_told_by(phrase, body);
         }
-        let told = self.letters_told_by(phrase, body);
         if !told.is_empty() {
             let loads = told.into_iter();
             return loads
@@ -230,6 +229,28 @@ impl Builder<'_> {
         let loads = self.named_load(phrase, None)?;
         let moment = self.reading.system.moment_of_loads(&loads, about);
         Some(Quantity::Known(Value::vector(&moment, Basis::Itself)))
+    }
+
+    /// The loads that letters stand for, where sentences say of each which load it is.
+    pub(super) fn loads_of_letters(
+        &mut self,
+        letters: &[&Formula],
+        declaration: &Declaration,
+    ) -> Option<Vec<Load>> {
+        let each = letters.iter();
+        let named = each.map(|letter| self.loads_of_letter(letter, declaration));
+        let named: Vec<Load> = named.collect::<Option<Vec<_>>>()?.concat();
+        Some(named).filter(|named| !named.is_empty())
+    }
+
+    /// Whether a sentence says that a letter is a load of this kind.
+    pub(super) fn is_said_to_be(&self, letter: &Formula, load: &NounPhrase) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == load.head => {
+                formulas(subjects).any(|own| same_letter(own, letter))
+            }
+            _ => false,
+        })
     }
 
     /// The loads that a letter stands for, where a sentence says which load it is.

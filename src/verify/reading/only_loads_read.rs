@@ -2,16 +2,14 @@
 
 use crate::algebra::Fraction;
 use crate::verify::language::heads::{FORCE, MOMENT};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_between::one_of_each;
 use crate::verify::reading::loads_read::{Acting, FORCES, lasting_of, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{is_letter, is_marked_vector, node_of};
-use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -178,12 +176,8 @@ impl Builder<'_> {
             return Some(());
         }
         let letters: Vec<&Formula> = letters_of(load);
-        let named = letters
-            .iter()
-            .map(|letter| self.loads_of_letter(letter, declaration));
-        let named: Option<Vec<Vec<Load>>> = named.collect();
-        if let Some(named) = named.filter(|named| !named.is_empty()) {
-            listed.loads.extend(named.into_iter().flatten());
+        if let Some(named) = self.loads_of_letters(&letters, declaration) {
+            listed.loads.extend(named);
             return Some(());
         }
         // A force on a particle acts where that is.
@@ -195,9 +189,7 @@ impl Builder<'_> {
         ) {
             return self.list_letter(letter, premise, listed, declaration);
         }
-        if names_load(load)
-            && let [letter] = letters.as_slice()
-        {
+        if let (true, [letter]) = (names_load(load), letters.as_slice()) {
             let named = self.load_with_letter(load, letter, listed.body, declaration)?;
             listed.loads.extend(named);
             return Some(());
@@ -295,16 +287,6 @@ impl Builder<'_> {
             };
         }
         self.named_load(load, body)
-    }
-
-    /// Whether a sentence says that a letter is a load of this kind.
-    fn is_said_to_be(&self, letter: &Formula, load: &NounPhrase) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == load.head => {
-                formulas(subjects).any(|own| same_letter(own, letter))
-            }
-            _ => false,
-        })
     }
 
     fn hold_loads(
