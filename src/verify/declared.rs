@@ -97,7 +97,13 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
             unused.any(|u| u.sentence == sentence)
         })
     };
-    for unused in each.filter(|unused| unused.understood && in_each(&unused.sentence)) {
+    // One with words that say something else with the rest of it was understood word by word.
+    let heard = |sentence: &str| {
+        let mut all = judgments.iter();
+        all.any(|own| own.judge.part.hears(sentence))
+    };
+    let said = each.filter(|unused| unused.understood || heard(&unused.sentence));
+    for unused in said.filter(|unused| in_each(&unused.sentence)) {
         let told = found.iter().filter(|known| known.beyond).count();
         let known = found.iter().any(|known| known.sentence == unused.sentence);
         if !known && (!unused.beyond || told < MOST_BEYOND) {

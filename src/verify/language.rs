@@ -94,6 +94,7 @@ mod rigid_wholes;
 mod roles;
 mod same;
 mod same_lines;
+mod senses;
 mod sentence_parts;
 mod set_off;
 mod sides;

@@ -14,6 +14,7 @@ pub(crate) mod partial;
 pub(crate) mod points;
 pub(crate) mod powers;
 pub(crate) mod rates;
+pub(crate) mod steady;
 pub(crate) mod sums;
 pub(crate) mod system;
 pub(crate) mod unplaced;

@@ -8,6 +8,7 @@ mod by_vectors;
 mod chains;
 mod changes;
 mod counted;
+mod defaults_give_way;
 mod free_wording;
 mod incline;
 mod instants;

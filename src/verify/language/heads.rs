@@ -50,6 +50,12 @@ pub(crate) const DOWNHILL: &str = "downhill direction";
 pub(crate) const GRAVITY: &str = "acceleration of gravity";
 /// The adverb of what turns from one direction to another.
 pub(crate) const TOWARDS: &str = "towards";
+/// In which direction something is counted.
+pub(crate) const POSITIVE_TOWARDS: &str = "positive towards";
+/// In which sense something about an axis is counted.
+pub(crate) const POSITIVE_ABOUT: &str = "positive about";
+/// The direction that goes with an angle.
+pub(crate) const TOWARDS_GROWING: &str = "towards growing";
 /// Where something lies seen from something between.
 pub(crate) const OPPOSITE_TO: &str = "opposite to";
 /// The opposite direction.
@@ -144,6 +150,27 @@ pub(crate) const EULER_ANGLES: &str = "Euler angles";
 pub(crate) const OF_SYMMETRY: [&str; 2] = ["symmetry axis", "spin axis"];
 /// What a moment may be about, beside points.
 pub(crate) const AXES: [&str; 4] = [VERTICAL, "axis", "symmetry axis", "spin axis"];
+/// Words of from where something is counted, and which way, and of which hand axes are.
+pub(crate) const OF_COUNTING: [&str; 18] = [
+    "zero",
+    "vanishes",
+    "begins",
+    "starts",
+    "grows",
+    "increases",
+    "against",
+    "counted",
+    "measured",
+    "reckoned",
+    "sense",
+    "clockwise",
+    "reversed",
+    "left-handed",
+    "left-hand",
+    "handed",
+    "hand",
+    "oblique",
+];
 /// Words of sentences about where up is.
 pub(crate) const OF_BEARINGS: [&str; 10] = [
     "vertical",

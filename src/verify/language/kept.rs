@@ -200,7 +200,7 @@ fn has_own_subject(clause: &[Token]) -> bool {
 /// A clause that is not understood may speak of what those before it are about.
 pub(super) fn speak_of_subjects(unread: &mut Declaration, before: &[Declaration]) {
     let Statement::Unread {
-        touched: Touched::Letters { formulas, .. },
+        touched: Touched::Letters { formulas, .. } | Touched::Written(formulas),
         ..
     } = &mut unread.statement
     else {

@@ -1,7 +1,9 @@
 //! Whose something is: a point has no mass centre and no mass, but the body has to which it belongs.
 
 use super::acting::tell_where_forces_act;
-use super::heads::{FORCE, FORCES_OF_A_KIND, MASS, MOMENT, MOMENTS_OF_A_KIND, WEIGHT};
+use super::heads::{
+    CONTACT_FORCE, FORCE, FORCES_OF_A_KIND, MASS, MOMENT, MOMENTS_OF_A_KIND, WEIGHT,
+};
 use super::kinds::name;
 use super::listed::tell_listed_moments;
 use super::other_loads::tell_other_moments;
@@ -82,12 +84,38 @@ fn is_vector(term: &Term) -> bool {
     !calligraphic && formula.source.starts_with(marked)
 }
 
+/// What something does to a body at a point, or what one thing does to another, is a force of that.
+fn tell_touching(declarations: &mut [Declaration]) {
+    fn tell(load: &mut NounPhrase) {
+        let has = |slot| load.slot(slot).is_some();
+        if load.head == CONTACT_FORCE && (has(Slot::At) || has(Slot::Of) && has(Slot::Upon)) {
+            load.head = FORCE;
+        }
+        for (_, term) in &mut load.slots {
+            if let Term::Phrase(inner) = term {
+                tell(inner);
+            }
+        }
+    }
+    for declaration in declarations {
+        if let Statement::Is { what, .. } | Statement::Premise(what) = &mut declaration.statement {
+            tell(what);
+        }
+        for term in declaration.statement.terms_mut() {
+            if let Term::Phrase(phrase) = term {
+                tell(phrase);
+            }
+        }
+    }
+}
+
 /// "the total moment of the external forces on the body about C": the total moment on it; and what is said of a vector is not
 /// said of the body that the sentence names before.
 pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
     tell_the_axis(declarations);
     share_agents(declarations);
     tell_where_forces_act(declarations);
+    tell_touching(declarations);
     tell_listed_moments(declarations);
     tell_other_moments(declarations);
     let mut letter: Option<(String, Term)> = None;

@@ -44,6 +44,7 @@ use super::rigid_wholes::fix_particles;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
+use super::senses::tell_senses;
 use super::sides::tell_sides;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
@@ -90,6 +91,7 @@ fn name_things(
 ) -> Vec<Declaration> {
     take_along_axes(&mut declarations);
     take_across_planes(&mut declarations);
+    tell_senses(&mut declarations, macros);
     list_next_loads(&mut declarations);
     name_by_agents(&mut declarations);
     tell_own_notation(&mut declarations);

@@ -238,6 +238,8 @@ pub enum Touched {
         /// Whether they may mean something else than other sentences tell: for any labels, or in a part of the document.
         anew: bool,
     },
+    /// Letters as they are written, whatever other sentences tell of them.
+    Written(Vec<Formula>),
     /// What carries one of these signs.
     Signs(Vec<Sign>),
     /// It may be a rule for all that is written.

@@ -26,6 +26,15 @@ pub(super) struct Subject {
 }
 
 impl Reader<'_> {
+    /// Whether the subject is a letter behind a noun: "The angle `$a$` is …".
+    pub(super) fn begins_with_named(&self) -> bool {
+        let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+        let copula = |t: &Token| COPULAS.contains(&t.lower.as_str());
+        let mut own = self.tokens.iter().skip(self.at);
+        let first = own.find(|t| formula(t) || copula(t));
+        ARTICLES.contains(&self.word()) && first.is_some_and(formula)
+    }
+
     /// The subject of a clause; a part of the document may stand behind it.
     pub(super) fn subject(&mut self, extents: &mut Vec<Extent>) -> Read<Subject> {
         let kind = self.kind_of_subject();

@@ -134,17 +134,25 @@ impl Declaration {
         // How things move and what acts on them changes no letter but those that tell of it.
         let moving = match &self.statement {
             Statement::Premise(premise) if premise.is("not") => None,
+            // From where a turn is counted, and which way.
+            Statement::Does {
+                verb: "turn",
+                slots,
+                ..
+            } if slots.iter().any(|(slot, _)| *slot == Slot::With) => None,
             Statement::Does { .. } | Statement::Premise(_) => {
                 let terms = self.statement.terms().into_iter();
                 Some(terms.filter_map(as_formula).collect())
             }
             _ => None,
         };
+        let anew = self.extent != Extent::Document;
         let touched = match named.or(moving) {
-            Some(formulas) => Touched::Letters {
-                formulas,
-                anew: self.extent != Extent::Document,
-            },
+            // What a letter is said to be, or not to be, may be more than what other sentences tell of it.
+            Some(formulas) if !anew && matches!(self.statement, Statement::Is { .. }) => {
+                Touched::Written(formulas)
+            }
+            Some(formulas) => Touched::Letters { formulas, anew },
             None => Touched::Everything,
         };
         let letters = vec![];

@@ -1,6 +1,7 @@
 //! What can be told of a sentence that is not understood: of which letters it speaks, and what it may change.
 
 use super::clause::as_formula;
+use super::heads::OF_COUNTING;
 use super::lexicon::Class;
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
@@ -181,11 +182,16 @@ impl Reader<'_> {
             Touched::Everything
         } else if letters || whole && !formulas.is_empty() && signs.found.is_empty() && !operator {
             // Of a formula of several letters it may say something that leaves the letters as they are.
-            let retells = subjects.is_empty() || subjects.iter().any(is_letter);
-            let mut words = self.tokens.iter().map(|t| t.lower.as_str());
-            let changes = subjects.is_empty() && words.any(|word| RETRACTING.contains(&word));
-            let anew = (any || of_a_part || changes) && retells;
-            Touched::Letters { formulas, anew }
+            let letter = subjects.iter().any(is_letter);
+            let has = |list: &[&str]| self.tokens.iter().any(|t| list.contains(&t.lower.as_str()));
+            let changes = subjects.is_empty() && has(&RETRACTING);
+            let anew = (any || of_a_part || changes) && (subjects.is_empty() || letter);
+            // From where a letter is counted, and which way, nothing else tells.
+            match (has(&OF_COUNTING), letter) {
+                (true, true) if !anew => Touched::Written(subjects),
+                (true, false) if self.begins_with_named() => Touched::Written(formulas),
+                _ => Touched::Letters { formulas, anew },
+            }
         } else if operator {
             Touched::Signs(subjects.into_iter().map(Sign::Operator).collect())
         } else if !signs.found.is_empty() && (sign_first || whole) {

@@ -140,6 +140,8 @@ pub(crate) struct Atoms {
     pub(super) small: BTreeSet<Variable>,
     /// Coordinates of points of which no sentence tells where they lie.
     pub(super) unplaced: BTreeSet<Variable>,
+    /// Letters that are constant by custom alone, and whether something tells that they change after all.
+    pub(super) by_custom: BTreeMap<Variable, bool>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
     pub(super) changes: Changes,
@@ -365,20 +367,6 @@ impl Atoms {
             Nature::Sine(angle) | Nature::Cosine(angle) => Some(angle),
             _ => None,
         }
-    }
-
-    /// Whether a value is made up of what never changes.
-    pub(crate) fn is_constant(&self, value: &Fraction) -> bool {
-        let constant = |v| {
-            let atom = self.atom(v);
-            let rests = match &atom.motion {
-                Motion::Constant => true,
-                Motion::Rate(rate) => rate.is_zero(),
-                Motion::Free => false,
-            };
-            rests || atom.place == Place::Parameter
-        };
-        value.variables().into_iter().all(constant)
     }
 
     /// Whether nothing is told of a variable, or of what it is a function of.

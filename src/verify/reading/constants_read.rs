@@ -170,9 +170,11 @@ impl Builder<'_> {
 
     /// How great gravity is, in the direction in which things fall.
     fn along_vertical(&mut self, size: &Quantity) -> Option<Quantity> {
-        // Where a sentence on it was not understood, nothing else tells where up is.
+        // Where no sentence tells where up is, or one on it was not understood, nothing else does.
         let mut all = self.declarations.iter();
-        if self.bearings.vertical.is_none() && all.any(|d| d.may_speak_of(&OF_BEARINGS)) {
+        let told = self.tells_vertical() || self.has_plane_anyhow();
+        if self.bearings.vertical.is_none() && (!told || all.any(|d| d.may_speak_of(&OF_BEARINGS)))
+        {
             return None;
         }
         let size = self.system().value_of(size).ok()?.to_scalar().ok()?;

@@ -78,9 +78,17 @@ impl Builder<'_> {
             self.bearings.vertical = Some(Vertical {
                 frame: self.reading.system.ground,
                 axis,
-                points_down: false,
+                points_down: self.is_downward_normal(),
             });
         }
+    }
+
+    /// "z is the downward normal of the floor."
+    fn is_downward_normal(&self) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { what, .. } => what.head == NORMAL && what.is("downward"),
+            _ => false,
+        })
     }
 
     /// "The upward vertical is turned relative to y about z by the angle `\alpha`."

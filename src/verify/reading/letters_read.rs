@@ -274,6 +274,7 @@ impl Builder<'_> {
             return;
         }
         let named = names_load(what)
+            || self.names_touch(what)
             || self.agent_outside(what, None).is_some()
             || self.reversed(what).is_some();
         if named && subjects.iter().any(|subject| may_be_size(subject, what)) {

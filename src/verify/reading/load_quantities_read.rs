@@ -35,6 +35,10 @@ impl Builder<'_> {
         if is_one_of_several(phrase) {
             return None;
         }
+        // What touches a body is not all that acts on it.
+        if phrase.head != FORCE {
+            return self.named_force(phrase);
+        }
         let of = self.whole_of(phrase)?;
         match of {
             Whole::Member(family, index) if phrase.is("external") => {

@@ -1,7 +1,7 @@
 //! Loads between a body of the system and something of which no sentence tells more: the air, a motor, the base. What the body
 //! does to it is the opposite of what it does to the body.
 
-use crate::verify::language::heads::{FORCE, MOMENT};
+use crate::verify::language::heads::{CONTACT_FORCE, FORCE, MOMENT};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::loads::Lasting;
@@ -21,7 +21,8 @@ impl Builder<'_> {
     pub(super) fn agent_outside(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<String> {
         let agent = phrase.slot(Slot::Of)?;
         let upon = phrase.slot(Slot::Upon).and_then(|upon| self.body(upon));
-        let load = matches!(phrase.head, FORCE | MOMENT) && phrase.slot(Slot::At).is_none();
+        let load = matches!(phrase.head, FORCE | CONTACT_FORCE | MOMENT);
+        let load = load && phrase.slot(Slot::At).is_none();
         self.outside(agent, upon.or(on)).filter(|_| load)
     }
 

@@ -3,8 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, TOWARDS, UNDERBRACE, UPHILL, VERTICAL,
-    WAY_OF_SETTING, WEIGHT,
+    DOWNHILL, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS,
+    TOWARDS_GROWING, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING, WEIGHT,
 };
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
@@ -16,6 +16,15 @@ use crate::verify::reading::names::node_of;
 
 /// Verbs of motions, whose adverbs say how.
 const MOTIONS: [&str; 4] = ["turn", "roll", "swing", "precess"];
+
+/// Which way something is counted, where no axis tells it.
+const SENSES: [&str; 5] = [
+    POSITIVE_TOWARDS,
+    POSITIVE_ABOUT,
+    OPPOSITE_TO,
+    TOWARDS,
+    TOWARDS_GROWING,
+];
 
 /// Directions that a letter is said to be.
 const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
@@ -59,15 +68,7 @@ fn is_misheard(statement: &Statement) -> bool {
             hows.any(|(_, how)| !how.is_noun(TOWARDS))
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
-        Statement::Is { subjects, what } => {
-            let with = what.all(Slot::With).any(is_of_thing);
-            if is_body(what.head) && with {
-                return true;
-            }
-            let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
-            let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
-            opposite || (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
-        }
+        Statement::Is { subjects, what } => is_said_otherwise(subjects, what),
         Statement::Premise(what) => {
             (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
         }
@@ -83,6 +84,24 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether words make another thing of what something is said to be.
+fn is_said_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
+    let with = what.all(Slot::With).any(is_of_thing);
+    if is_body(what.head) && with {
+        return true;
+    }
+    let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
+    let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
+    let counted = what.head != "angle" && has_sense(what);
+    // "positive clockwise" says which way something is counted.
+    let how = what.head == "positive" && what.slot(Slot::With).is_some();
+    opposite
+        || counted
+        || how
+        || (what.head != MASS && is_per_unit(what))
+        || has_reversed(&what.slots)
 }
 
 /// Whether something is done in a way that makes another thing of it.
@@ -158,6 +177,14 @@ fn is_weight(subject: &Term) -> bool {
 
 fn has_reversed(slots: &[(Slot, Term)]) -> bool {
     slots.iter().any(|(_, term)| is_reversed(term))
+}
+
+/// Whether it is said which way something is counted.
+fn has_sense(what: &NounPhrase) -> bool {
+    what.slots.iter().any(|(_, term)| match term {
+        Term::Phrase(inner) => SENSES.contains(&inner.head) || has_sense(inner),
+        _ => false,
+    })
 }
 
 /// "clockwise", "without friction" change what a motion is; "without slipping" and "freely" are what the model knows.

@@ -1,12 +1,16 @@
 //! Loads that a noun names without a letter: "the thrust", "the drag on the aircraft".
 
-use crate::verify::language::heads::{FORCE, FORCES_OF_A_KIND, MOMENT, MOMENTS_OF_A_KIND};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::heads::{
+    CONTACT_FORCE, FORCE, FORCES_OF_A_KIND, FRICTION, MOMENT, MOMENTS_OF_A_KIND, NORMAL_FORCE,
+};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::loads_read::is_force_at;
+use crate::verify::reading::loads_read::{is_force_at, letters_of};
 use crate::verify::reading::names::is_marked_vector;
 use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::term::quantity::Quantity;
@@ -43,7 +47,7 @@ impl Builder<'_> {
             return Some(vec![load]);
         }
         let agent = self.agent_outside(phrase, on);
-        if !names_load(phrase) && agent.is_none() {
+        if !names_load(phrase) && agent.is_none() && !self.names_touch(phrase) {
             return None;
         }
         let body = match (&agent, phrase.slot(Slot::Of)) {
@@ -56,8 +60,14 @@ impl Builder<'_> {
             (None, Some(_)) => self.body_of(phrase)?,
             (None, None) => on.or_else(|| self.body_of(phrase))?,
         };
-        let told = self.forces_of_agent(phrase, body);
-        if agent.is_some() && !is_force_at(phrase) && !told.is_empty() {
+        let mut told = match agent.is_some() && !is_force_at(phrase) {
+            true => self.forces_of_agent(phrase, body),
+            false => vec![],
+        };
+        if told.is_empty() {
+            told = self.letters_told_by(phrase, body);
+        }
+        if !told.is_empty() {
             let loads = told.into_iter();
             return loads
                 .map(|letter| self.load(letter, Lasting::Always))
@@ -71,7 +81,7 @@ impl Builder<'_> {
         let called = Called::Noun(noun.clone(), body);
         if self.loads_called(&called).is_empty() {
             let label = format!("{noun},{}", self.reading.system.bodies[body].name);
-            if phrase.head == FORCE || FORCES_OF_A_KIND.contains(&phrase.head) {
+            if phrase.head == FORCE || !is_moment(phrase.head) {
                 let force = self.free_load(&format!("F_{{{label}}}"), None)?;
                 self.push_named_load((&noun, body), force, Some(self.centre_of(body)));
             }
@@ -84,6 +94,56 @@ impl Builder<'_> {
             }
         }
         Some(self.loads_called(&called))
+    }
+
+    /// Whether a noun names what something does to a body by touching it, where the model has nothing that touches: a load
+    /// like others, of which nothing more is known.
+    pub(super) fn names_touch(&self, phrase: &NounPhrase) -> bool {
+        let touch = [CONTACT_FORCE, NORMAL_FORCE, FRICTION].contains(&phrase.head);
+        touch && phrase.slot(Slot::At).is_none() && self.reading.system.contacts.is_empty()
+    }
+
+    /// The letters and formulas that sentences tell for what a noun names on a body: "The thrust `F k` acts on the rocket at
+    /// G" for "the thrust".
+    fn letters_told_by(&self, phrase: &NounPhrase, body: BodyId) -> Vec<&Formula> {
+        let agent = |load: &'_ NounPhrase| {
+            let of = load.slot(Slot::Of).filter(|of| self.body(of) != Some(body));
+            of.cloned()
+        };
+        let own = agent(phrase);
+        let same = |load: &NounPhrase| {
+            let plain = phrase.adjectives.is_empty() || load.adjectives == phrase.adjectives;
+            load.head == phrase.head && plain && (own.is_none() || agent(load) == own)
+        };
+        let here = |slots: &[(Slot, Term)]| {
+            let on = slot(slots, Slot::Upon).or_else(|| slot(slots, Slot::Of));
+            on.is_none_or(|on| self.body(on).is_none_or(|on| on == body))
+        };
+        let mut told = vec![];
+        for declaration in self.declarations {
+            match &declaration.statement {
+                Statement::Does {
+                    subjects,
+                    verb: "act",
+                    slots,
+                } if here(slots) => {
+                    for subject in subjects {
+                        if let Term::Phrase(load) = subject
+                            && same(load)
+                        {
+                            told.extend(letters_of(load));
+                        }
+                    }
+                }
+                Statement::Is { subjects, what }
+                    if is_force_at(what) && same(what) && here(&what.slots) =>
+                {
+                    told.extend(formulas(subjects));
+                }
+                _ => {}
+            }
+        }
+        told
     }
 
     /// "the total aerodynamic force", where a sentence lists "the aerodynamic forces" among the only loads: all of them.
@@ -171,6 +231,28 @@ impl Builder<'_> {
         Some(Quantity::Known(Value::vector(&moment, Basis::Itself)))
     }
 
+    /// The loads that letters stand for, where sentences say of each which load it is.
+    pub(super) fn loads_of_letters(
+        &mut self,
+        letters: &[&Formula],
+        declaration: &Declaration,
+    ) -> Option<Vec<Load>> {
+        let each = letters.iter();
+        let named = each.map(|letter| self.loads_of_letter(letter, declaration));
+        let named: Vec<Load> = named.collect::<Option<Vec<_>>>()?.concat();
+        Some(named).filter(|named| !named.is_empty())
+    }
+
+    /// Whether a sentence says that a letter is a load of this kind.
+    pub(super) fn is_said_to_be(&self, letter: &Formula, load: &NounPhrase) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == load.head => {
+                formulas(subjects).any(|own| same_letter(own, letter))
+            }
+            _ => false,
+        })
+    }
+
     /// The loads that a letter stands for, where a sentence says which load it is.
     pub(super) fn loads_of_letter(
         &mut self,
@@ -212,9 +294,18 @@ impl Builder<'_> {
     }
 }
 
+fn is_moment(head: &str) -> bool {
+    head == MOMENT || MOMENTS_OF_A_KIND.contains(&head)
+}
+
 /// What a load is called that a noun names: with its adjectives, and by what exerts it.
 pub(super) fn noun_of(load: &NounPhrase, agent: Option<&str>) -> String {
-    let noun = [load.adjectives.as_slice(), &[load.head]].concat();
+    // What something does to a body that it touches is its force.
+    let head = match load.head {
+        CONTACT_FORCE if agent.is_some() => FORCE,
+        head => head,
+    };
+    let noun = [load.adjectives.as_slice(), &[head]].concat();
     let agent = agent.map_or_else(String::new, |agent| format!(" of {agent}"));
     noun.join(" ") + &agent
 }

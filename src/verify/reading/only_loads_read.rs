@@ -8,7 +8,8 @@ use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_between::one_of_each;
 use crate::verify::reading::loads_read::{Acting, FORCES, lasting_of, letters_of};
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::named_loads_read::names_load;
+use crate::verify::reading::names::{is_letter, is_marked_vector, node_of};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -125,13 +126,15 @@ impl Builder<'_> {
         }
         let particle = self.reading.system.bodies[listed.body].frame.is_none();
         let at = self.centre_of(listed.body);
-        if premise.head == "force"
-            && let Some(told) = self.quantity_of(letter, declaration)
-        {
-            let value = self.system().value_of(&told).ok()?.to_vector().ok()?;
+        let told = is_letter(letter).then(|| self.quantity_of(letter, declaration));
+        // A formula tells what a load is, and so does what a sentence says of a letter: that is not open.
+        if told.as_ref().is_none_or(Option::is_some) {
+            let value = self.told_load(letter, told.flatten(), declaration)?;
+            let weight = self.weight_on(listed.body).map(|weight| weight.value);
+            let at_centre = particle || premise.head == "force" || weight.as_ref() == Some(&value);
             listed.loads.push(Load {
                 lasting: listed.lasting,
-                ..Load::unnamed(Some(at), value, None)
+                ..Load::unnamed(at_centre.then_some(Some(at))?, value, None)
             });
             return Some(());
         }
@@ -141,6 +144,23 @@ impl Builder<'_> {
         }
         listed.open = Some((at, Some(letter.clone())));
         Some(())
+    }
+
+    /// What a load is that a formula tells, or a sentence about its letter.
+    fn told_load(
+        &mut self,
+        letter: &Formula,
+        told: Option<Quantity>,
+        declaration: &Declaration,
+    ) -> Option<Vector> {
+        let value = match told {
+            Some(told) => self.system().value_of(&told).ok()?,
+            None => {
+                self.tell_letters_of_place(letter, declaration)?;
+                self.formula_value(letter, declaration)?
+            }
+        };
+        value.to_vector().ok()
     }
 
     fn list_load(
@@ -156,12 +176,8 @@ impl Builder<'_> {
             return Some(());
         }
         let letters: Vec<&Formula> = letters_of(load);
-        let named = letters
-            .iter()
-            .map(|letter| self.loads_of_letter(letter, declaration));
-        let named: Option<Vec<Vec<Load>>> = named.collect();
-        if let Some(named) = named.filter(|named| !named.is_empty()) {
-            listed.loads.extend(named.into_iter().flatten());
+        if let Some(named) = self.loads_of_letters(&letters, declaration) {
+            listed.loads.extend(named);
             return Some(());
         }
         // A force on a particle acts where that is.
@@ -172,6 +188,11 @@ impl Builder<'_> {
             letters.as_slice(),
         ) {
             return self.list_letter(letter, premise, listed, declaration);
+        }
+        if let (true, [letter]) = (names_load(load), letters.as_slice()) {
+            let named = self.load_with_letter(load, letter, listed.body, declaration)?;
+            listed.loads.extend(named);
+            return Some(());
         }
         let at = load.slot(Slot::At).and_then(|term| self.point(term))?;
         if load.head == MOMENT && letters.is_empty() && lasting == Lasting::Always {
@@ -200,6 +221,25 @@ impl Builder<'_> {
             }
         }
         Some(())
+    }
+
+    /// "the thrust `T`", where no other sentence tells of either: the letter is the vector.
+    fn load_with_letter(
+        &mut self,
+        load: &NounPhrase,
+        letter: &Formula,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<Vec<Load>> {
+        if !is_marked_vector(letter) || self.quantity_of(letter, declaration).is_some() {
+            return None;
+        }
+        let mut plain = load.clone();
+        plain.slots.retain(|(slot, _)| *slot != Slot::Which);
+        let named = self.named_load(&plain, Some(body))?;
+        let known = Quantity::Known(Value::vector(&named.first()?.value, Basis::Itself));
+        self.denote(letter, Meaning::Quantity(known), declaration);
+        Some(named)
     }
 
     /// "the moment at O": what holds an end may turn it in any way.
@@ -233,11 +273,20 @@ impl Builder<'_> {
         {
             return Some(vec![between]);
         }
-        let letters = letters.into_iter();
-        let known: Option<Vec<Load>> = letters.map(|letter| self.load(letter, lasting)).collect();
-        let known = known.filter(|known| !known.is_empty());
         let body = self.body_of(premise);
-        known.or_else(|| self.named_load(load, body))
+        if !letters.is_empty() {
+            let mut all = letters.iter();
+            let known = letters.iter().map(|letter| self.load(letter, lasting));
+            let known: Option<Vec<Load>> = known.collect();
+            // What the noun names a sentence ties to the letter.
+            let tied = known.is_none() && all.all(|letter| self.is_said_to_be(letter, load));
+            return if tied {
+                self.named_load(load, body)
+            } else {
+                known
+            };
+        }
+        self.named_load(load, body)
     }
 
     fn hold_loads(

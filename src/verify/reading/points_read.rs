@@ -1,19 +1,15 @@
 //! Points: where each is placed, and in which frames it is fixed.
 
 use crate::algebra::{Fraction, Place};
-use crate::verify::language::statement::{
-    Declaration, Extent, NotationMeaning, Sign, Slot, Statement, Term, slot,
-};
+use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
 use crate::verify::model::system::{FrameId, Point, PointId, Vector};
 use crate::verify::reading::bodies_read::EACH;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::definitions_read::defined_as;
 use crate::verify::reading::names::{
-    MASS_CENTRE, UNIT_VECTOR, is_letter, is_marked_vector, letter_of, name_of, node_of,
+    MASS_CENTRE, UNIT_VECTOR, is_letter, is_marked_vector, letter_of, name_of,
 };
 use crate::verify::reading::points_spoken::Spoken;
-use crate::verify::term::labels::rate_of;
-use crate::verify::term::letters::{Meaning, spelled};
+use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::{Quantity, Spot};
 use std::collections::BTreeSet;
 
@@ -62,6 +58,7 @@ impl Builder<'_> {
         for (own, of) in self.points_of.clone() {
             self.reading.system.bodies[own].centre = self.centre_of(of);
         }
+        self.let_places_change();
         self.hold_other_places();
         self.name_ways();
     }
@@ -321,47 +318,6 @@ impl Builder<'_> {
             self.make_constant(&distance);
         }
         Some(along * distance)
-    }
-
-    /// Whether the document writes the rate of a letter, or a sentence sets it by a formula: then it may change.
-    pub(super) fn has_rate(&self, distance: &Term) -> bool {
-        let Some(formula) = letter_of(distance) else {
-            return false;
-        };
-        let defined = |d: &Declaration| defined_as(formula, &d.statement).is_some();
-        self.writes_rate(distance) || self.declarations.iter().any(defined)
-    }
-
-    /// Whether the document writes the rate of a letter.
-    pub(super) fn writes_rate(&self, letter: &Term) -> bool {
-        let letter = letter_of(letter).and_then(node_of).map(spelled);
-        letter.is_some_and(|letter| {
-            let all = &self.reading.letters.written;
-            let primed = || all.has(&format!("{letter}'")) || all.has(&format!("{letter}''"));
-            all.has(&rate_of(&letter)) || self.primes_are_rates() && primed()
-        })
-    }
-
-    /// "A prime means the rate."
-    fn primes_are_rates(&self) -> bool {
-        let mut declarations = self.declarations.iter();
-        declarations.any(|d| match &d.statement {
-            Statement::Notation {
-                sign: Sign::Mark("prime"),
-                meaning: NotationMeaning::Noun(noun),
-            } => noun.head.ends_with("rate") || noun.head == "derivative",
-            _ => false,
-        })
-    }
-
-    /// A distance of which no rate is written is constant.
-    pub(super) fn make_constant(&mut self, value: &Fraction) {
-        use crate::verify::model::atoms::Motion;
-        for variable in value.variables() {
-            let atom = self.reading.system.atoms.atom_mut(variable);
-            atom.motion = Motion::Constant;
-            atom.place = Place::Parameter;
-        }
     }
 
     /// A second sentence about a point that stands already: both places are the same there.

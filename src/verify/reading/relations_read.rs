@@ -51,8 +51,8 @@ impl Builder<'_> {
         {
             self.system().atoms.tell_sign(&sine, false);
         }
-        let difference = self.beside_cosine(&one, &other, cosine)?;
-        self.hold(difference, declaration);
+        let difference = self.beside_cosine(&one, &other, cosine.clone())?;
+        self.hold_unless_told(difference, &[cosine, sine], declaration);
         Some(())
     }
 

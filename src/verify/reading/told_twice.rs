@@ -1,11 +1,27 @@
 //! Letters of which several sentences say what they are: each of them holds.
 
+use crate::algebra::Fraction;
 use crate::verify::language::statement::Declaration;
 use crate::verify::reading::builder::Builder;
 use crate::verify::term::letters::{Letter, Meaning};
 use crate::verify::term::quantity::Quantity;
 
 impl<'a> Builder<'a> {
+    /// An angle by which something turns is told: what would fix it says that it is another one.
+    pub(super) fn hold_unless_told(
+        &mut self,
+        relation: Fraction,
+        [cosine, sine]: &[Fraction; 2],
+        declaration: &Declaration,
+    ) {
+        let own = [cosine.variables(), sine.variables()].concat();
+        let letters = relation.variables();
+        match !letters.is_empty() && letters.iter().all(|letter| own.contains(letter)) {
+            true => self.say_told_otherwise(declaration),
+            false => self.hold(relation, declaration),
+        }
+    }
+
     /// "`$J$` is the moment of inertia of A about O. `$J$` is the moment of inertia of B about P": the two are the same.
     pub(super) fn hold_all_meanings(&mut self) {
         for (first, other, declaration) in self.told_twice() {

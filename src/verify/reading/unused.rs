@@ -23,6 +23,8 @@ pub(crate) struct Unused {
     pub(crate) understood: bool,
     /// What it says makes the model larger than what is worked out.
     pub(crate) beyond: bool,
+    /// It says what something is: without it nothing that hangs on that is known.
+    pub(crate) tells: bool,
     /// What would help, where that is known.
     pub(crate) wants: Option<Wants>,
     pub(crate) reach: Reach,
@@ -47,6 +49,8 @@ pub(crate) enum Touches {
         /// Whatever other sentences tell of them.
         anew: bool,
     },
+    /// Of these formulas as they are written, whatever other sentences tell of them.
+    Written(Vec<String>),
     /// Of what carries one of these signs.
     Signs(Vec<Sign>),
     Everything,
@@ -67,6 +71,9 @@ impl Unused {
         match &self.touches {
             Touches::Everything => true,
             Touches::Signs(signs) => nodes.any(|node| signs.iter().any(|sign| carries(node, sign))),
+            Touches::Written(wholes) => {
+                nodes.any(|node| wholes.iter().any(|whole| stands_in(node, whole)))
+            }
             Touches::Letters { names, anew, .. } if *anew => {
                 nodes.any(|node| names_one(node, names))
             }
@@ -75,6 +82,11 @@ impl Unused {
                 has_untold(written, wholes, letters) || !names.is_disjoint(&untold_in(written))
             }
         }
+    }
+
+    /// Whether lines may mean something else by it.
+    fn blocks(&self) -> bool {
+        !self.understood || self.tells
     }
 
     fn may_tell_of(&self, letters: &BTreeSet<String>) -> bool {
@@ -115,8 +127,7 @@ impl Reading {
 
     /// A sentence that was not understood, without which nothing can be said of formulas at a place.
     pub(crate) fn unread_of(&self, written: Written<'_>, at: &At) -> Option<&str> {
-        let tells =
-            |unused: &&Unused| !unused.understood && unused.may_change(written, &self.letters);
+        let tells = |unused: &&Unused| unused.blocks() && unused.may_change(written, &self.letters);
         let found = self.unused_at(at).find(tells);
         found.map(|unused| unused.sentence.as_str())
     }
@@ -141,12 +152,13 @@ pub(super) fn letters_of_subjects(statement: &Statement) -> BTreeSet<String> {
     letters
 }
 
+fn stands_in(node: &Node, whole: &str) -> bool {
+    spelled(node) == whole || node.children().any(|child| stands_in(child, whole))
+}
+
 /// Whether formulas have one of some writings of which no sentence tells as a whole: what its letter and its labels mean apart
 /// is not what it means.
 fn has_untold(written: Written<'_>, wholes: &[String], letters: &Letters) -> bool {
-    fn stands_in(node: &Node, whole: &str) -> bool {
-        spelled(node) == whole || node.children().any(|child| stands_in(child, whole))
-    }
     let told = |whole: &str| letters.letters.iter().any(|l| l.spelled == whole);
     let mut untold = wholes.iter().filter(|whole| !told(whole));
     untold.any(|whole| written.nodes.iter().any(|node| stands_in(node, whole)))

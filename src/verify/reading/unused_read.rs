@@ -1,11 +1,8 @@
 //! Sentences of which nothing was made, and what they keep from being denied.
 
 use crate::notation::ast::{Kind, Node};
-use crate::notation::document::Row;
 use crate::verify::language::heads::{FORCE, KEEPS_DIRECTION, MASS, MOMENT};
-use crate::verify::language::statement::{
-    Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
-};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::language::{is_bodily, is_body, only_names};
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::bodies_read::WHOLES;
@@ -14,7 +11,8 @@ use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::parallels_read::are_moments;
-use crate::verify::reading::unused::{Touches, Unused, carries, letters_of_subjects};
+use crate::verify::reading::touched::{tells_anew, touched_by};
+use crate::verify::reading::unused::{Unused, letters_of_subjects};
 use crate::verify::term::letters::{labelled_letter, letter_names, spelled};
 use std::collections::BTreeSet;
 
@@ -258,6 +256,7 @@ impl Builder<'_> {
                 sentence,
                 understood,
                 beyond: false,
+                tells: tells_anew(&declaration.statement),
                 wants: None,
                 reach,
                 letters,
@@ -266,6 +265,15 @@ impl Builder<'_> {
                 touches: touched_by(&declaration.statement, self.declarations),
             });
         }
+    }
+
+    /// What a sentence says a letter to be is not what another one says: nothing is known of the letter.
+    pub(super) fn say_told_otherwise(&mut self, declaration: &Declaration) {
+        self.say_unused(declaration);
+        let sentence = declaration.sentence();
+        let own = self.reading.unused.iter_mut();
+        own.filter(|u| u.sentence == sentence)
+            .for_each(|unused| unused.tells = true);
     }
 
     /// What a sentence says makes the model larger than what is worked out: it is not in force.
@@ -346,52 +354,6 @@ fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
     formulas.into_iter().map(node_of).collect()
 }
 
-/// What a sentence that was not read may change. What a rule for a sign changes in the formulas of other sentences reaches
-/// all lines.
-fn touched_by(statement: &Statement, others: &[Declaration]) -> Touches {
-    let Statement::Unread { touched, .. } = statement else {
-        return Touches::Everything;
-    };
-    match touched {
-        Touched::Letters { formulas, anew } => {
-            let each: Option<Vec<BTreeSet<String>>> = formulas.iter().map(letters_in).collect();
-            each.map_or(Touches::Everything, |each| {
-                // A letter alone has no parts that could tell what it is.
-                let wholes = formulas.iter().filter_map(node_of);
-                let wholes = wholes.filter(|node| !is_bare(node));
-                Touches::Letters {
-                    names: each.into_iter().flatten().collect(),
-                    wholes: wholes.map(spelled).collect(),
-                    anew: *anew,
-                }
-            })
-        }
-        Touched::Signs(signs) => {
-            let holding = others.iter().filter_map(|other| match &other.statement {
-                Statement::Holds(formula) => Some(formula),
-                _ => None,
-            });
-            let mut sides = holding.flat_map(nodes_of);
-            match sides.any(|side| signs.iter().any(|sign| carries(side, sign))) {
-                true => Touches::Everything,
-                false => Touches::Signs(signs.clone()),
-            }
-        }
-        Touched::Everything => Touches::Everything,
-    }
-}
-
-/// Whether a formula is a letter without labels and marks.
-fn is_bare(node: &Node) -> bool {
-    match &node.kind {
-        Kind::Symbol(symbol) => {
-            let scripts = symbol.subscripts.len() + symbol.superscripts.len();
-            scripts == 0 && symbol.primes == 0 && !symbol.style.tilde && !symbol.style.hat
-        }
-        _ => false,
-    }
-}
-
 /// The letters of a formula, those with labels as they are written.
 pub(super) fn letters_of(formula: &Formula) -> BTreeSet<String> {
     nodes_of(formula).iter().flat_map(letters_in_node).collect()
@@ -403,11 +365,6 @@ fn letters_in_node(node: &Node) -> BTreeSet<String> {
         None if matches!(node.kind, Kind::Symbol(_)) => letter_names(node),
         None => node.children().flat_map(letters_in_node).collect(),
     }
-}
-
-fn letters_in(formula: &Formula) -> Option<BTreeSet<String>> {
-    let readable = !matches!(formula.row, Row::Unreadable { .. });
-    readable.then(|| nodes_of(formula).iter().flat_map(letter_names).collect())
 }
 
 fn in_formula(subject: &Term) -> Option<&Formula> {

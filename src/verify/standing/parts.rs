@@ -48,6 +48,13 @@ impl Part {
         said.any(|d| d.sentence() == sentence)
     }
 
+    /// Whether a sentence is in force in it and has no part that is no sentence of the language.
+    pub(crate) fn hears(&self, sentence: &str) -> bool {
+        let own = self.declarations.iter();
+        let mut own = own.filter(|d| d.sentence() == sentence).peekable();
+        own.peek().is_some() && own.all(|d| !d.is_unread())
+    }
+
     /// A document that speaks of one system.
     pub(crate) fn whole(declarations: &[Declaration]) -> Self {
         Self {

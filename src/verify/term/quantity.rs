@@ -330,21 +330,15 @@ impl System {
             Quantity::Vector { text, carried } => itself(self.named_vector(text, *carried)),
             Quantity::UnitVector { text, carried } => itself(self.unit_vector(text, *carried)),
             Quantity::Scalar { text, constant } => {
-                let motion = if *constant {
-                    Motion::Constant
-                } else {
-                    Motion::Free
+                let (place, motion) = match constant {
+                    true => (Place::Parameter, Motion::Constant),
+                    false => (Place::Coordinate, Motion::Free),
                 };
-                let place = if *constant {
-                    Place::Parameter
-                } else {
-                    Place::Coordinate
-                };
-                Value::scalar(fraction(self.atoms.variable(
-                    Key::of_number(text),
-                    place,
-                    motion,
-                )))
+                let letter = self.atoms.variable(Key::of_number(text), place, motion);
+                if *constant {
+                    self.atoms.hold_by_word(letter);
+                }
+                Value::scalar(fraction(letter))
             }
             Quantity::MemberScalar { text, index } => {
                 let key = Key::of_member(text, index);
