@@ -1,27 +1,20 @@
 //! Declarations: sentences that an author writes, one a line.
 
 use super::absences::{part_absences, tell_absences};
-use super::anaphora::{referring, with_it_inside, with_its};
+use super::anaphora::referring;
 use super::bodies::introduced;
 use super::both::{Kinds, counting_letters, tell_both, tell_each};
 use super::capital_names::keep_capitals;
-use super::clause::Said;
 use super::compound_names::Compounds;
-use super::ellipsis::{joint_weakness, parted_at};
-use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::lexicon::Lexicon;
 use super::plain_terms::in_plain_terms;
 use super::reader::Reader;
-use super::reorder::{
-    axes, compounds, described_first, fronted, indexed_by_any, possessives, tell_ends_of_lines,
-    told_beside, without_brackets, without_ranges,
-};
-use super::rewrite::plainly;
+use super::reorder::axes;
 use super::same_lines::on_same_lines;
 use super::statement::{Declaration, Extent, Misread, Statement, Touched};
 use super::there::say_where;
-use super::told_apart::told_apart;
+use super::understand::{Stuck, understood};
 use super::words::{Token, tokens, wrong};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
@@ -42,7 +35,11 @@ pub fn read_declarations(
         .map(|(at, line)| (at + 1, line.trim_end()));
     let sentences = lines
         .filter(|(_, line)| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
-    let sentences: Vec<_> = sentences.collect();
+    let sentences = sentences.flat_map(|(line, text)| {
+        let told = sentences_of(text).into_iter();
+        told.map(move |sentence| (line, sentence))
+    });
+    let sentences: Vec<(usize, String)> = sentences.collect();
     let parted = sentences.iter().map(|(line, text)| parted(text, *line));
     let mut parted: Vec<_> = parted.collect();
     keep_capitals(&mut parted);
@@ -90,6 +87,47 @@ pub fn read_declarations(
     tell_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
 }
+
+/// The sentences of a line, each at its place: what stands before it is blank.
+fn sentences_of(line: &str) -> Vec<String> {
+    if line.len() > LONGEST {
+        return vec![line.to_owned()];
+    }
+    let mut sentences = vec![];
+    let mut start = 0;
+    let mut closing = None;
+    for (at, sign) in line.char_indices() {
+        match closing {
+            Some(end) if sign == end => closing = None,
+            Some(_) => {}
+            None if "$`\"".contains(sign) => closing = Some(sign),
+            None if sign == '.' && ends_sentence(&line[start..at], &line[at + 1..]) => {
+                sentences.push((start, at + 1));
+                start = at + 1;
+            }
+            None => {}
+        }
+    }
+    sentences.push((start, line.len()));
+    let placed = |(start, end): (usize, usize)| {
+        let blank = line[..start].chars().count();
+        format!("{}{}", " ".repeat(blank), &line[start..end])
+    };
+    sentences.into_iter().map(placed).collect()
+}
+
+/// Whether a full stop between two texts ends a sentence: behind a word that is not shortened, and before another one that
+/// begins as sentences do.
+fn ends_sentence(before: &str, behind: &str) -> bool {
+    let last = before.split_whitespace().last().unwrap_or_default();
+    let shortened = last.contains('.') || SHORTENED.contains(&last.to_lowercase().as_str());
+    let next = behind.trim_start();
+    let begins = next.starts_with(|c: char| c.is_uppercase() || c == '$' || c == '`');
+    !last.is_empty() && !shortened && next.len() < behind.len() && begins
+}
+
+/// Words behind which a full stop ends no sentence.
+const SHORTENED: [&str; 8] = ["resp", "cf", "fig", "eq", "eqs", "no", "approx", "vs"];
 
 /// The sentence with what others said before in the place of the words that remind of it, each reading on its own.
 fn reminding(
@@ -203,13 +241,17 @@ fn read(
         line,
         sentence.trim_end().trim_end_matches('.').chars().count() + 1,
     );
-    let reader = |tokens| Reader::new(tokens, end, lexicon, macros, bodies);
-    let mut before = reader(tokens);
+    let mut before = Reader::new(tokens, end, lexicon, macros, bodies);
     let extents = before.extents().map_or(0, |_| before.at);
     let (extents, clauses) = tokens.split_at(extents);
     let strictly = |clauses: &[Token]| {
         let tokens = [extents, clauses].concat();
-        Reader::new(&tokens, end, lexicon, macros, bodies).sentence()
+        let mut reader = Reader::new(&tokens, end, lexicon, macros, bodies);
+        let said = reader.sentence();
+        said.map_err(|error| Stuck {
+            error,
+            left: tokens.len().saturating_sub(reader.at),
+        })
     };
     let said = understood(clauses, lexicon, &strictly)?;
     let declaration = |(extent, statement)| Declaration {
@@ -219,106 +261,4 @@ fn read(
         line,
     };
     Ok(said.into_iter().map(declaration).collect())
-}
-
-/// A sentence of more words is not parted.
-const LONGEST_JOINED: usize = 120;
-
-/// A sentence is read in so many ways at most.
-const MOST_READINGS: usize = 150;
-
-/// What a sentence says: as it stands, in plainer words, or parted where it joins clauses. Each step has to bring the
-/// reader further along than the one before.
-fn understood(
-    tokens: &[Token],
-    lexicon: &Lexicon,
-    strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Misread>,
-) -> Result<Vec<Said>, Misread> {
-    let first = match strictly(tokens) {
-        Ok(said) => return Ok(said),
-        Err(error) => error,
-    };
-    if tokens.len() > LONGEST_JOINED {
-        return Err(first);
-    }
-    let mut left = MOST_READINGS;
-    let ordered = compounds(&possessives(&axes(tokens), lexicon), lexicon);
-    let listed = tell_ends_of_lines(&join_adjectives(&ordered, lexicon));
-    let mut now = plainly(&tell_listed_apart(&listed).unwrap_or(listed));
-    let mut error = match strictly(&now) {
-        Ok(said) => return Ok(said),
-        Err(error) => error,
-    };
-    let others = [
-        told_apart(&now, lexicon),
-        Some(without_brackets(&now)),
-        without_ranges(&now),
-        indexed_by_any(&now),
-        described_first(&now, lexicon),
-        told_beside(&now, lexicon),
-        with_its(&now, lexicon),
-        with_it_inside(&now, lexicon),
-    ];
-    for other in others.into_iter().flatten().chain(fronted(&now, lexicon)) {
-        let other = plainly(&other);
-        match strictly(&other) {
-            Ok(said) => return Ok(said),
-            Err(later) if later.column > error.column => (now, error) = (other, later),
-            Err(_) => {}
-        }
-    }
-    loop {
-        match parted_further(&now, &error, lexicon, strictly, &mut left) {
-            Parted::Understood(said) => return Ok(said),
-            Parted::Further(next, later) => (now, error) = (next, later),
-            Parted::Stuck => return Err(first),
-        }
-    }
-}
-
-/// What parting a sentence at one more place brought.
-enum Parted {
-    Understood(Vec<Said>),
-    /// It is read further, to another error.
-    Further(Vec<Token>, Misread),
-    Stuck,
-}
-
-/// Parts a sentence at each place where it may join clauses, until it is understood.
-fn parted_further(
-    now: &[Token],
-    error: &Misread,
-    lexicon: &Lexicon,
-    strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Misread>,
-    left: &mut usize,
-) -> Parted {
-    let mut joints: Vec<usize> = (0..now.len()).rev().collect();
-    // Where clauses are joined by a word they part sooner than at a comma, which may be one of a list.
-    joints.sort_by_key(|&at| joint_weakness(now, at));
-    let mut further: Option<(Vec<Token>, Misread)> = None;
-    for candidate in joints
-        .into_iter()
-        .flat_map(|at| parted_at(now, at, lexicon))
-    {
-        let Some(fewer) = left.checked_sub(1) else {
-            return Parted::Stuck;
-        };
-        *left = fewer;
-        let candidate = plainly(&candidate);
-        match strictly(&candidate) {
-            Ok(said) if said.iter().all(|(_, statement)| statement.says_something()) => {
-                return Parted::Understood(said);
-            }
-            Err(other) => {
-                let best = further
-                    .as_ref()
-                    .map_or(error.column, |(_, best)| best.column);
-                if other.column > best {
-                    further = Some((candidate, other));
-                }
-            }
-            Ok(_) => {}
-        }
-    }
-    further.map_or(Parted::Stuck, |(next, later)| Parted::Further(next, later))
 }

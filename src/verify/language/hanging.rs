@@ -1,6 +1,6 @@
 //! What hangs on nouns and verbs by prepositions.
 
-use super::heads::{START_OF_MOTION, VERTICAL};
+use super::heads::{SIZES, START_OF_MOTION, VERTICAL};
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
@@ -87,12 +87,48 @@ impl<'a> Reader<'a> {
             if self.owner.is_empty() {
                 self.owner.clone_from(&outer);
             }
-            let terms = self.deeper(|reader| reader.in_slot(slot))?;
+            let sizes = self.sizes(entry, slot);
+            let (slot, terms) = match sizes.is_empty() {
+                true => (slot, self.deeper(|reader| reader.in_slot(slot))?),
+                false => (Slot::Of, sizes),
+            };
             slots.extend(terms.into_iter().map(|term| (slot, term)));
             last = Some((again.map_or(name, |(before, _)| before), slot));
         }
         self.owner = outer;
         Ok(())
+    }
+
+    /// "with the mass `$m$` and the radius `$r$`" behind a thing: its sizes.
+    fn sizes(&mut self, entry: &Entry, slot: Slot) -> Vec<Term> {
+        let mut sizes = vec![];
+        if entry.class != Class::Thing || !matches!(slot, Slot::Of | Slot::With) {
+            return sizes;
+        }
+        let mut behind = self.at;
+        while let Some(size) = self.size() {
+            sizes.push(size);
+            behind = self.at;
+            if !self.take_separator() {
+                break;
+            }
+        }
+        self.at = behind;
+        sizes
+    }
+
+    /// "the mass `$m$`", with its article or without.
+    fn size(&mut self) -> Option<Term> {
+        let start = self.at;
+        if self.noun_next()
+            && let Ok((size, _)) = self.named()
+            && SIZES.contains(&size.head)
+            && matches!(size.slots.as_slice(), [(Slot::Which, Term::Formula(_))])
+        {
+            return Some(Term::Phrase(Box::new(size)));
+        }
+        self.at = start;
+        None
     }
 
     /// The terms of a slot.

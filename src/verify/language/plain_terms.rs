@@ -22,6 +22,7 @@ use super::kinds::{
 };
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};
+use super::listed_loads::act_as_listed;
 use super::meeting_axes::fix_meeting_points;
 use super::member_wheels::turn_members;
 use super::mounted::mount_wheels;
@@ -145,6 +146,7 @@ fn place_points(declarations: &mut Vec<Declaration>) {
 /// Loads and constants, and the positions of particles.
 fn tell_loads(declarations: &mut Vec<Declaration>) {
     give_to_bodies(declarations);
+    act_as_listed(declarations);
     join_together(declarations);
     tell_gravity(declarations);
     turn_by_aircraft_angles(declarations);

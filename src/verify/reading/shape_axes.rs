@@ -1,13 +1,15 @@
 //! The axis of a shape: of its frame, a direction that its frame carries, or the way between points of it.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::heads::NORMAL;
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
-use crate::verify::model::system::{BodyId, FrameId, Line, PointId, Vector};
+use crate::verify::model::atoms::fraction;
+use crate::verify::model::system::{BodyId, FrameId, Line, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::shapes_read::ROD;
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 impl<'a> Builder<'a> {
     /// The number of the axis of a body's frame about which its shape is round: the third where no sentence tells it.
@@ -107,7 +109,56 @@ impl<'a> Builder<'a> {
     pub(super) fn lay_by_points(&mut self, body: BodyId) -> Option<()> {
         let lies = self.tell_line_by_points(body).is_some();
         let elsewhere = self.has_placed_ends(body) && self.told_axis_of_shape(body).is_none();
-        (lies || !elsewhere).then_some(())
+        if elsewhere && !lies {
+            return self.turn_with_ends(body);
+        }
+        Some(())
+    }
+
+    /// A rod of which sentences place both ends in a plane of the frame that its own one turns against, and tell no other
+    /// turn: it turns about the normal of this plane by the angle of which the way between its ends has the cosine and
+    /// the sine.
+    fn turn_with_ends(&mut self, body: BodyId) -> Option<()> {
+        let frame = self.reading.system.bodies[body].frame?;
+        let parent = self.reading.system.frames[frame].parent?;
+        if !self.is_free_against(frame, parent) || self.has_named_axes(body) {
+            return None;
+        }
+        let way = self.way_between_ends(body)?;
+        let axes = [0, 1, 2].map(|axis| self.system().axis(parent, axis));
+        let normal = (0..3).find(|&axis| way.dot(&axes[axis]).is_zero())?;
+        let variables = way.iter().flat_map(Fraction::variables);
+        let atoms = &self.reading.system.atoms;
+        let angles: BTreeSet<Variable> = variables
+            .filter_map(|v| atoms.angle_of(v)?.as_variable())
+            .collect();
+        for angle in angles {
+            for angle in [fraction(angle), -fraction(angle)] {
+                self.reading.system.frames[frame].turn = Turn::Angle(normal, Box::new(angle));
+                if let Some((axis, reversed)) = self.axis_along(frame, &way) {
+                    self.reading.system.bodies[body].line = Some(Line {
+                        axis,
+                        reversed,
+                        by_points: true,
+                    });
+                    return Some(());
+                }
+            }
+        }
+        self.reading.system.frames[frame].turn = Turn::Free;
+        None
+    }
+
+    /// The way from the first end of a rod to the other, in lengths of the rod, where both stand.
+    fn way_between_ends(&mut self, body: BodyId) -> Option<Vector> {
+        let (what, declaration) = self.said_to_be(body, &[ROD])?;
+        let length = self.size_of_shape(body, what, "length", declaration)?;
+        let ends = self.reading.system.bodies[body].ends.iter();
+        let ends: Option<Vec<PointId>> = ends.map(|end| self.points.get(end).copied()).collect();
+        match ends?.as_slice() {
+            &[first, last] => Some(self.reading.system.position(last, first) / length),
+            _ => None,
+        }
     }
 
     /// Along which axis of its frame a rod lies, by the places of its ends and its middle: the way between them has the

@@ -315,3 +315,29 @@ $$ J=\tfrac13 m l^2 $$
 ";
     assert_eq!(judged(&placed, text), "pr");
 }
+
+#[test]
+fn a_rod_turns_as_the_way_between_its_ends() {
+    let sentences = r"
+N is an inertial frame.
+$X$, $Y$, $Z$ are the axes of N.
+Y is the upward vertical.
+O is a point fixed in N.
+The beam is a uniform thin rod of mass $m$ and length $b$.
+D is the lower end of the beam. E is the upper end of the beam.
+D lies at the distance $b\sin q$ from O along X.
+E lies at the distance $b\cos q$ from O along Y.
+$T$ is the kinetic energy of the beam relative to N.
+$w$ is the angular velocity of the beam relative to N.
+";
+    let text = r"
+$$ w = \dot q Z $$
+$$ w = -\dot q Z $$
+$$ T = \tfrac16 m b^2 \dot q^2 $$
+$$ T = \tfrac12 m b^2 \dot q^2 $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+    // Of another length than the way between its ends it is not known how it lies.
+    let longer = sentences.replace("length $b$", "length $a$");
+    assert!(!judged(&longer, text).contains('p'));
+}
