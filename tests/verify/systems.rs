@@ -9,6 +9,7 @@ mod chains;
 mod changes;
 mod counted;
 mod free_wording;
+mod idle_words;
 mod incline;
 mod instants;
 mod integrals;

@@ -6,6 +6,9 @@ use crate::notation::ast::Node;
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 
+/// What is said of a number, and of how a letter is counted.
+const SIGNS: [&str; 2] = ["positive", "negative"];
+
 /// What does something, and what hangs on the verb.
 pub(crate) type Doing<'s> = (&'s [Term], &'s [(Slot, Term)]);
 
@@ -143,7 +146,7 @@ impl Declaration {
         let touched = match named.or(moving) {
             Some(formulas) => Touched::Letters {
                 formulas,
-                anew: self.extent != Extent::Document,
+                anew: self.extent != Extent::Document || self.statement.tells_sense(),
             },
             None => Touched::Everything,
         };
@@ -193,6 +196,16 @@ pub(crate) fn say_besides(
         told.extend(statements.into_iter().map(|s| declaration.saying(s)));
     }
     declarations.extend(told);
+}
+
+impl Statement {
+    /// "`$M$` is positive towards growing `$\\theta$`": how a letter is counted, whatever other sentences tell of it.
+    pub(crate) fn tells_sense(&self) -> bool {
+        match self {
+            Self::Is { what, .. } => SIGNS.contains(&what.head) && what.slot(Slot::With).is_some(),
+            _ => false,
+        }
+    }
 }
 
 impl Term {

@@ -153,6 +153,11 @@ impl Builder<'_> {
         Some((first, way * Fraction::from_ratio(1, 2)))
     }
 
+    /// Where a sentence says along which axis a rod lies, which of its ends is which is no choice, and none tells it.
+    fn knows_which_end(&self, body: BodyId) -> bool {
+        !self.is_rod(body) || self.told_axis_of_shape(body).is_none()
+    }
+
     /// Where the mass centre of a rod is from an end of it that stands already.
     pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
         if self.has_placed_ends(body) {
@@ -160,7 +165,7 @@ impl Builder<'_> {
         }
         let mut ends = self.reading.system.bodies[body].ends.iter().enumerate();
         let known = ends.find_map(|(at, name)| Some((at, *self.points.get(name)?)));
-        let (at, end) = known?;
+        let (at, end) = known.filter(|_| self.knows_which_end(body))?;
         Some((end, self.way_to_end(body, at == 0)? * whole(-1)))
     }
 
@@ -168,7 +173,7 @@ impl Builder<'_> {
     pub(super) fn end_from_centre(&mut self, name: &str) -> Option<(PointId, Vector)> {
         let stands = |(body, _): &(BodyId, bool)| self.reading.system.bodies[*body].centre != 0;
         let placed = self.bodies_that_end_at(name).find(stands);
-        let (body, first) = placed?;
+        let (body, first) = placed.filter(|(body, _)| self.knows_which_end(*body))?;
         Some((self.centre_of(body), self.way_to_end(body, first)?))
     }
 }
