@@ -85,7 +85,7 @@ fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) 
     }
 }
 
-/// Sentences that were understood and of which nothing was made.
+/// Sentences that the grammar understands and of which nothing was made.
 fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
     let mut found: Vec<Unused> = vec![];
     let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);
@@ -97,7 +97,18 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
             unused.any(|u| u.sentence == sentence)
         })
     };
-    for unused in each.filter(|unused| unused.understood && in_each(&unused.sentence)) {
+    // A sentence with a word that nothing works with is not worked with as a whole; what the grammar does not read has an error.
+    let is_read = |sentence: &str| {
+        let said = judgments
+            .iter()
+            .flat_map(|own| &own.judge.part.declarations);
+        let mut own = said.filter(|d| d.sentence() == sentence);
+        own.all(|d| !d.is_unread())
+    };
+    for unused in each.filter(|u| u.understood || is_read(&u.sentence)) {
+        if !in_each(&unused.sentence) {
+            continue;
+        }
         let told = found.iter().filter(|known| known.beyond).count();
         let known = found.iter().any(|known| known.sentence == unused.sentence);
         if !known && (!unused.beyond || told < MOST_BEYOND) {

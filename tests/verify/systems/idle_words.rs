@@ -440,3 +440,155 @@ $$k = z$$
 ";
     assert_eq!(judged(sentences, text), "pp");
 }
+
+#[test]
+fn an_angle_about_an_axis_that_moves_on_both_is_no_turn() {
+    let sentences = r"N is an inertial frame.
+$x, y, z$ are the axes of N.
+$u, v, s$ are the axes of A.
+$w$ is the angular velocity of B relative to N.
+A turns relative to N about x by the angle $a$.
+B turns relative to A about y by the angle $b$.
+";
+    let text = r"
+$$w=\dot a x+\dot b y$$
+
+$$w=\dot a x+\dot b v$$
+";
+    assert_eq!(judged(sentences, text), "uu");
+}
+
+#[test]
+fn what_is_up_and_down_is_neither() {
+    let sentences = r"N is an inertial frame.
+$x, y, z$ are the axes of N.
+O is a point fixed in N.
+P is a particle of mass $m$.
+P is placed from O by $s z$.
+$g$ is the gravitational acceleration.
+z is the upward vertical.
+z is the downward vertical.
+The weight is the only load on P.
+";
+    let text = r"
+$$\ddot s=g$$
+
+$$\ddot s=-g$$
+";
+    assert_eq!(judged(sentences, text), "uu");
+}
+
+#[test]
+fn a_cylinder_has_one_axis() {
+    let sentences = r"B is a frame fixed in the wheel.
+$i, j, k$ are the axes of B.
+G is the mass centre of the wheel.
+$I$ is the moment of inertia of the wheel about k through G.
+The wheel is a cylinder of mass $m$, radius $r$ and length $l$.
+k is the axis of the cylinder.
+i is the axis of the cylinder.
+";
+    let text = r"
+$$I = \tfrac12 m r^2$$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn a_letter_is_not_radius_and_diameter() {
+    let sentences = r"The disc is a uniform thin disc of mass $m$ and radius $r$.
+$r$ is the diameter of the disc.
+B is a frame fixed in the disc.
+$i,j,k$ are the axes of B.
+k is the axis of the disc.
+G is the mass centre of the disc.
+$I$ is the moment of inertia of the disc about k through G.
+";
+    let text = r"
+$$I=\tfrac12 m r^2$$
+
+$$I=\tfrac18 m r^2$$
+";
+    assert_eq!(judged(sentences, text), "uu");
+}
+
+#[test]
+fn that_no_constant_load_acts_is_not_that_none_does() {
+    let sentences = r"N is an inertial frame.
+$x, y, z$ are the axes of N.
+O is a point fixed in N.
+P is a particle of mass $m$.
+P is placed from O by $s z$.
+$g$ is the gravitational acceleration.
+z is the upward vertical.
+No constant load acts on P.
+";
+    let text = r"
+$$\ddot s=0$$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn a_turn_at_the_start_is_none_later() {
+    let sentences = r"N is an inertial frame.
+$x, y, z$ are the axes of N.
+$w$ is the angular velocity of B relative to N.
+B turns relative to N about z by the angle $a$ at the start.
+";
+    let text = r"
+$$w=\dot a z$$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn a_mass_that_lies_somewhere_is_not_spread_evenly() {
+    let sentences = r"B is a frame fixed in the wheel.
+$i, j, k$ are the axes of B.
+G is the mass centre of the wheel.
+$I$ is the moment of inertia of the wheel about k through G.
+The wheel is a cylinder of mass $m$, radius $r$ and length $l$.
+k is the axis of the cylinder.
+The mass of the wheel lies at its surface.
+";
+    let text = r"
+$$I = \tfrac12 m r^2$$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn what_is_not_uniform_has_no_tensor_of_its_shape() {
+    let sentences = r"B is a frame fixed in the wheel.
+$i, j, k$ are the axes of B.
+G is the mass centre of the wheel.
+$I$ is the moment of inertia of the wheel about k through G.
+The wheel is a cylinder of mass $m$, radius $r$ and length $l$.
+k is the axis of the cylinder.
+The wheel is not uniform.
+";
+    let text = r"
+$$I = \tfrac12 m r^2$$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn two_ends_of_a_rod_are_not_told_apart() {
+    let sentences = r"B is a frame fixed in the rod.
+$i, j, k$ are the axes of B.
+The rod is a uniform thin rod of mass $m$ and length $l$ along i.
+A and C are the ends of the rod.
+G is the mass centre of the rod.
+$p$ is the position of C from A.
+";
+    let text = r"
+$$p=l i$$
+
+$$p=-l i$$
+
+$$p\cdot p=l^2$$
+";
+    assert_eq!(judged(sentences, text), "uuu");
+}
