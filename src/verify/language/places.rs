@@ -55,27 +55,11 @@ pub(crate) fn tell_places(declarations: &mut Vec<Declaration>) {
             verb: "lie",
             slots,
         } => match subjects.as_slice() {
-            [thing] => {
-                let told = take_places(slots, thing);
-                slots.extend(beginning(slots, &told));
-                told
-            }
+            [thing] => take_places(slots, thing),
             _ => vec![],
         },
         _ => vec![],
     });
-}
-
-/// "The rod lies along x with its end at O": it goes from there along x.
-fn beginning(slots: &[(Slot, Term)], told: &[Statement]) -> Option<(Slot, Term)> {
-    let ([(Slot::Along, _)], [Statement::Is { subjects, what }]) = (slots, told) else {
-        return None;
-    };
-    let [end] = subjects.as_slice() else {
-        return None;
-    };
-    let plain = what.head == "end" && what.adjectives.is_empty();
-    plain.then(|| (Slot::From, end.clone()))
 }
 
 fn take_places(slots: &mut Vec<(Slot, Term)>, thing: &Term) -> Vec<Statement> {
