@@ -85,7 +85,7 @@ fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) 
     }
 }
 
-/// Sentences that were understood and of which nothing was made.
+/// Sentences that the grammar understands and of which nothing was made.
 fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
     let mut found: Vec<Unused> = vec![];
     let each = judgments.iter().flat_map(|own| &own.judge.reading.unused);

@@ -23,6 +23,7 @@ mod bodies;
 mod body_axes;
 mod both;
 mod capital_names;
+mod centres;
 mod chains;
 mod clause;
 mod components_along;
@@ -142,6 +143,12 @@ pub(crate) fn is_body(noun: &str) -> bool {
 pub(crate) fn body_noun(noun: &str) -> Option<&'static str> {
     let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Thing]);
     entry.map(|entry| entry.name)
+}
+
+/// Whether a noun means what acts on bodies.
+pub(crate) fn is_load(noun: &str) -> bool {
+    let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
+    entry.is_some_and(|entry| entry.slot("on") == Some(statement::Slot::Upon))
 }
 
 /// Whether a noun means a thing of the system: a frame, a point, a body.

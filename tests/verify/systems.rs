@@ -10,6 +10,7 @@ mod changes;
 mod counted;
 mod defaults_give_way;
 mod free_wording;
+mod idle_words;
 mod incline;
 mod instants;
 mod integrals;

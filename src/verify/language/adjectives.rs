@@ -1,7 +1,7 @@
 //! Which adjectives are understood before which nouns: any other one may turn what a noun means into something else.
 
 use super::statement::{NounPhrase, Slot, Statement, Term};
-use super::{heads, is_thing};
+use super::{heads, is_load, is_thing};
 
 /// What may stand before any noun: it counts, points, or says nothing new.
 const OF_ALL: [&str; 13] = [
@@ -19,6 +19,12 @@ const OF_ALL: [&str; 13] = [
     "whole",
     "common",
 ];
+
+/// What says of a load that it stays the same: nothing works with it but where a letter carries it.
+const UNCHANGING: [&str; 3] = ["constant", "steady", "instantaneous"];
+
+/// Nouns of what is worked out of another quantity, of which an adjective of that one would say something as well.
+const WORKED_OUT: [&str; 4] = ["component", "magnitude", "part", "rate"];
 
 /// What may be said of bodies, frames, points and planes without making them others.
 const OF_THINGS: [&str; 46] = [
@@ -173,8 +179,17 @@ fn is_sum_of_several(phrase: &NounPhrase) -> bool {
     phrase.is("total") && phrase.head == heads::MASS && several
 }
 
+/// Whether what is said of a part, a component or a rate would be said of the whole: "the component of the constant force".
+fn is_of_unchanging(phrase: &NounPhrase) -> bool {
+    let unchanging = |term: &Term| match term {
+        Term::Phrase(of) => of.adjectives.iter().any(|a| UNCHANGING.contains(a)),
+        _ => false,
+    };
+    WORKED_OUT.contains(&phrase.head) && phrase.all(Slot::Of).any(unchanging)
+}
+
 fn is_plain(phrase: &NounPhrase) -> bool {
-    if is_sum_of_several(phrase) {
+    if is_sum_of_several(phrase) || is_of_unchanging(phrase) {
         return false;
     }
     let mut own = phrase.adjectives.iter();
@@ -184,7 +199,8 @@ fn is_plain(phrase: &NounPhrase) -> bool {
 /// Whether an adjective before or behind a noun is understood.
 pub(super) fn goes_with(adjective: &str, noun: &str) -> bool {
     let mut quantities = OF_QUANTITIES.iter();
-    OF_ALL.contains(&adjective)
+    let idle = UNCHANGING.contains(&adjective) && is_load(noun);
+    OF_ALL.contains(&adjective) && !idle
         || is_thing(noun) && OF_THINGS.contains(&adjective)
         || quantities.any(|(said, of)| *said == adjective && of.contains(&noun))
 }

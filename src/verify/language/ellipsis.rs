@@ -13,6 +13,9 @@ const MOVES: [&str; 8] = [
     "lies", "lie", "moves", "turns", "rolls", "slides", "swings", "rests",
 ];
 
+/// Words for what the clause before speaks of.
+const PRONOUNS: [&str; 2] = ["it", "they"];
+
 /// Words that go on from a thing named just before.
 const RELATIVES: [&str; 3] = ["which", "that", "who"];
 
@@ -29,7 +32,9 @@ pub(crate) fn parted_at(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Vec<V
     let end = second.iter().position(|t| t.kind == Kind::Semicolon);
     let (second, behind) = second.split_at(end.unwrap_or(second.len()));
     let relative = second.first().is_some_and(is_relative);
-    if joined == 0 && !relative || first.is_empty() || second.is_empty() || in_list(tokens, at) {
+    let nothing = first.is_empty() || second.is_empty();
+    let timed = is_time(&tokens[at..at + joined], second);
+    if joined == 0 && !relative || nothing || timed || in_list(tokens, at) {
         return vec![];
     }
     let sentence = |clauses: (Vec<Token>, Vec<Token>)| {
@@ -44,6 +49,17 @@ pub(crate) fn parted_at(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Vec<V
         _ => completed(first, second, lexicon),
     };
     clauses.into_iter().map(sentence).collect()
+}
+
+/// Whether what joins two clauses makes the second one the time in which alone the first holds: "while it moves". Behind a
+/// comma, and where the next clause says what another letter is, the word only sets one beside the other.
+fn is_time(joined: &[Token], second: &[Token]) -> bool {
+    let [.., word] = joined else { return false };
+    let letter = second.first().is_some_and(|t| t.kind == Kind::Formula);
+    let pronoun = second
+        .first()
+        .is_some_and(|t| PRONOUNS.contains(&t.lower.as_str()));
+    word.lower == "while" && (joined.len() == 1 && !letter || pronoun)
 }
 
 fn without_comma(tokens: &[Token]) -> &[Token] {

@@ -130,8 +130,6 @@ pub(crate) const FORCES_OF_A_KIND: [&str; 5] =
 pub(crate) const MOTOR_MOMENT: &str = "motor moment";
 /// Where two bodies touch.
 pub(crate) const CONTACT_POINT: &str = "contact point";
-/// The sense in which an angle grows: about an axis.
-pub(crate) const POSITIVE_ABOUT: &str = "positive about";
 /// The time from one step to the next.
 pub(crate) const STEP_SIZE: &str = "step size";
 /// Nouns of moments of one kind.

@@ -192,26 +192,6 @@ pub(crate) fn name_positions(declarations: &mut [Declaration]) {
     }
 }
 
-/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod.
-pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
-    let uniform = |d: &Declaration| match &d.statement {
-        Statement::Is { subjects, what } if what.is("uniform") => {
-            subjects.iter().filter_map(name).collect()
-        }
-        _ => vec![],
-    };
-    let uniform: BTreeSet<String> = declarations.iter().flat_map(uniform).collect();
-    for declaration in declarations {
-        if let Statement::Is { what, .. } = &mut declaration.statement
-            && matches!(what.head, "centre" | "middle")
-            && let Some(of) = what.slot(Slot::Of).and_then(name)
-            && uniform.contains(&of)
-        {
-            what.head = "mass centre";
-        }
-    }
-}
-
 /// "The rod is a uniform body of length `$l$`": what is called a rod is one.
 pub(crate) fn shape_by_name(declarations: &mut [Declaration], lexicon: &Lexicon) {
     for declaration in declarations {

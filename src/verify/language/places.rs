@@ -97,16 +97,19 @@ fn place_of(slot: Slot, term: &Term, thing: &Term) -> Option<Vec<Statement>> {
     let Term::Phrase(place) = term else {
         return None;
     };
+    let points = || place.all(Slot::At).chain(place.all(Slot::Which));
+    // Of several things one point is the place of each.
+    let several = place.all(Slot::Of).count() > 1;
+    let of_each = points().count() == 1 && place.all(Slot::Of).any(|of| of == thing);
     let others = place.slots.iter().all(|(slot, own)| match slot {
         Slot::At | Slot::Which => name(own).is_some(),
-        Slot::Of => own == thing,
+        Slot::Of => own == thing || several && of_each,
         _ => false,
     });
     if slot != Slot::With || !PLACES.contains(&place.head) || !others {
         return None;
     }
-    let points = place.all(Slot::At).chain(place.all(Slot::Which));
-    let points: Vec<Statement> = points
+    let points: Vec<Statement> = points()
         .map(|point| {
             let of = vec![(Slot::Of, thing.clone())];
             Statement::one_is(point.clone(), NounPhrase::new(place.head, of))

@@ -5,6 +5,7 @@ use super::at_zero::tell_axes_at_zero;
 use super::at_zero_placed::place_at_zero;
 use super::axes_by_vectors::name_axes_by_vectors;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
+use super::centres::centre_shapes;
 use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
@@ -17,8 +18,8 @@ use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kinds::{
-    centre_shapes, fix_frames, name_numbered, name_positions, name_the_only_one, place_particles,
-    shape_by_name, show_frames, tell_axes, tell_mass_centres,
+    fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
+    show_frames, tell_axes, tell_mass_centres,
 };
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};

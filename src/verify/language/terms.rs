@@ -6,6 +6,9 @@ use crate::notation::ast::Node;
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 
+/// What is said of a number, and of how a letter is counted.
+const SIGNS: [&str; 2] = ["positive", "negative"];
+
 /// What does something, and what hangs on the verb.
 pub(crate) type Doing<'s> = (&'s [Term], &'s [(Slot, Term)]);
 
@@ -146,7 +149,7 @@ impl Declaration {
             }
             _ => None,
         };
-        let anew = self.extent != Extent::Document;
+        let anew = self.extent != Extent::Document || self.statement.tells_sense();
         let touched = match named.or(moving) {
             // What a letter is said to be, or not to be, may be more than what other sentences tell of it.
             Some(formulas) if !anew && matches!(self.statement, Statement::Is { .. }) => {
@@ -201,6 +204,16 @@ pub(crate) fn say_besides(
         told.extend(statements.into_iter().map(|s| declaration.saying(s)));
     }
     declarations.extend(told);
+}
+
+impl Statement {
+    /// "`$M$` is positive towards growing `$\\theta$`": how a letter is counted, whatever other sentences tell of it.
+    pub(crate) fn tells_sense(&self) -> bool {
+        match self {
+            Self::Is { what, .. } => SIGNS.contains(&what.head) && what.slot(Slot::With).is_some(),
+            _ => false,
+        }
+    }
 }
 
 impl Term {

@@ -1,11 +1,12 @@
 //! Letters of which nothing else is told, and that are called as axes are: they may be the unit vectors along these.
 
 use crate::notation::ast::{Kind, Node, Style, Symbol};
-use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::verify::language::heads::VERTICAL;
+use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::{Key, Nature, Space};
-use crate::verify::model::system::FrameId;
+use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{name_of, node_of, written};
+use crate::verify::reading::names::{along_of, name_of, node_of, written};
 use crate::verify::term::letters::{At, Letter, Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 
@@ -41,6 +42,74 @@ impl Builder<'_> {
         let mut others = places.iter().skip(1);
         let same = others.all(|&(frame, axis)| self.system().axis(frame, axis) == along);
         same.then_some(first)
+    }
+
+    /// The axis of a name on a frame or on the one against which it turns, where turns about it lead up or down there.
+    pub(super) fn carried_to(
+        &self,
+        name: &str,
+        at: (FrameId, usize),
+        (frame, relative): (FrameId, FrameId),
+    ) -> (FrameId, usize) {
+        let (mut of, axis) = at;
+        if self.keeps_axis(relative, name, at) {
+            return (relative, axis);
+        }
+        while ![frame, relative].contains(&of) {
+            let turned = &self.reading.system.frames[of];
+            match turned.parent.filter(|_| self.turns_about(of) == Some(axis)) {
+                Some(parent) => of = parent,
+                None => return at,
+            }
+        }
+        (of, axis)
+    }
+
+    /// The number of the axis about which a frame turns.
+    fn turns_about(&self, frame: FrameId) -> Option<usize> {
+        match &self.reading.system.frames[frame].turn {
+            Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _) => Some(*about),
+            _ => None,
+        }
+    }
+
+    /// Whether a frame turns about an axis of another one, and about nothing else.
+    fn keeps_axis(&self, frame: FrameId, name: &str, (of, axis): (FrameId, usize)) -> bool {
+        let mut own = Some(frame);
+        while let Some(current) = own.filter(|&current| current != of) {
+            let turned = &self.reading.system.frames[current];
+            let about = self.turns_about(current) == Some(axis)
+                || turned.turn == Turn::Free && self.is_told_to_turn(current, name);
+            own = turned.parent.filter(|_| about);
+        }
+        own == Some(of)
+    }
+
+    /// Whether one sentence tells how a frame turns, and names this axis.
+    fn is_told_to_turn(&self, frame: FrameId, name: &str) -> bool {
+        let turns = self.declarations.iter().filter_map(|d| {
+            let (subjects, slots) = d.statement.does("turn")?;
+            let own = subjects.iter().any(|s| self.frame(s) == Some(frame));
+            own.then(|| slot(slots, Slot::About).map(along_of).and_then(name_of))
+        });
+        let told: Vec<Option<String>> = turns.collect();
+        matches!(told.as_slice(), [Some(about)] if about == name)
+    }
+
+    /// Whether something is an axis of a frame that turns, where another sentence says which axis at rest is vertical.
+    pub(super) fn is_axis_beside_vertical(&self, subject: &Term) -> bool {
+        let ground = self.reading.system.ground;
+        let axes = |term: &Term| name_of(term).map(|name| self.told_axes(&name));
+        let at_rest =
+            |term: &Term| axes(term).is_some_and(|axes| axes.iter().any(|a| a.0 == ground));
+        let turns = axes(subject).is_some_and(|axes| !axes.is_empty()) && !at_rest(subject);
+        turns
+            && self.declarations.iter().any(|d| match &d.statement {
+                Statement::Is { subjects, what } => {
+                    what.head == VERTICAL && subjects.iter().any(at_rest)
+                }
+                _ => false,
+            })
     }
 
     /// The axes of frames to which sentences give a name.

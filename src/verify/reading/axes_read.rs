@@ -5,7 +5,7 @@ use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
-use crate::verify::model::system::{Axis, FrameId, Turn, Vector};
+use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
@@ -190,7 +190,7 @@ impl Builder<'_> {
     ) {
         let ground = self.reading.system.ground;
         let [subject] = subjects else { return };
-        if self.body(subject).is_some() {
+        if self.body(subject).is_some() || self.is_axis_beside_vertical(subject) {
             return self.say_unused(declaration);
         }
         let axis = self.number_of_axis(subject).unwrap_or(2);
@@ -276,7 +276,7 @@ impl Builder<'_> {
         let other = || {
             self.axes
                 .get(&name)
-                .map(|&at| self.carried_down(at, [frame, relative]))
+                .map(|&at| self.carried_to(&name, at, (frame, relative)))
         };
         match own.or_else(other) {
             // On the other frame the axis may be any; only where it has no name of its own for it is it the same one.
@@ -307,23 +307,6 @@ impl Builder<'_> {
                 .iter()
                 .find_map(|names| names.iter().position(|n| *n == name)),
         }
-    }
-
-    /// The same axis on one of the frames, where turns about it lead down there.
-    fn carried_down(&self, at: (FrameId, usize), frames: [FrameId; 2]) -> (FrameId, usize) {
-        let (mut of, axis) = at;
-        while !frames.contains(&of) {
-            let turned = &self.reading.system.frames[of];
-            let about = match &turned.turn {
-                Turn::Angle(about, _) | Turn::Rate(Axis::Number(about), _) => Some(*about),
-                _ => None,
-            };
-            match turned.parent.filter(|_| about == Some(axis)) {
-                Some(parent) => of = parent,
-                None => return at,
-            }
-        }
-        (of, axis)
     }
 
     /// Whether a sentence tells that an axis is not the one of its label on another frame.

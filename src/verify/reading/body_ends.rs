@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::verify::language::phrase::ORDINALS;
-use crate::verify::language::statement::{NounPhrase, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::body_lines::ALONG;
@@ -172,6 +172,29 @@ impl Builder<'_> {
         Some((first, way * Fraction::from_ratio(1, 2)))
     }
 
+    /// Where a sentence says along which axis a rod lies, which of its ends is which is no choice: one that says both says that
+    /// the rod goes from there along the axis, and with others none is told.
+    fn knows_which_end(&self, body: BodyId) -> bool {
+        let own = |term: &Term| self.body(term) == Some(body);
+        let tells_end = |lies: &Declaration, d: &Declaration| match &d.statement {
+            Statement::Is { what, .. } => {
+                let at_once = d.line == lies.line && d.text == lies.text;
+                at_once && what.head == END && what.slot(Slot::Of).is_some_and(own)
+            }
+            _ => false,
+        };
+        let from_end = |lies: &Declaration| {
+            let said = lies.statement.does("lie");
+            let along = said.is_some_and(|(subjects, slots)| {
+                subjects.iter().any(own) && slot(slots, Slot::Along).is_some()
+            });
+            along && self.declarations.iter().any(|d| tells_end(lies, d))
+        };
+        !self.is_rod(body)
+            || self.told_axis_of_shape(body).is_none()
+            || self.declarations.iter().any(from_end)
+    }
+
     /// Where the mass centre of a rod is from an end of it that stands already.
     pub(super) fn centre_from_end(&mut self, body: BodyId) -> Option<(PointId, Vector)> {
         if self.has_placed_ends(body) {
@@ -179,7 +202,7 @@ impl Builder<'_> {
         }
         let mut ends = self.reading.system.bodies[body].ends.iter().enumerate();
         let known = ends.find_map(|(at, name)| Some((at, *self.points.get(name)?)));
-        let (at, end) = known?;
+        let (at, end) = known.filter(|_| self.knows_which_end(body))?;
         Some((end, self.way_to_end(body, at == 0)? * whole(-1)))
     }
 
@@ -187,7 +210,7 @@ impl Builder<'_> {
     pub(super) fn end_from_centre(&mut self, name: &str) -> Option<(PointId, Vector)> {
         let stands = |(body, _): &(BodyId, bool)| self.reading.system.bodies[*body].centre != 0;
         let placed = self.bodies_that_end_at(name).find(stands);
-        let (body, first) = placed?;
+        let (body, first) = placed.filter(|(body, _)| self.knows_which_end(*body))?;
         Some((self.centre_of(body), self.way_to_end(body, first)?))
     }
 }

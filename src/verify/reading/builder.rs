@@ -10,9 +10,9 @@ use crate::verify::reading::axes_read::{Bearings, NamedAxes};
 use crate::verify::reading::blows_read::{rests_before, tells_letter_at_blow};
 use crate::verify::reading::compounds_read::symbols_in;
 use crate::verify::reading::elements_read::with_elements;
-use crate::verify::reading::instants_read::is_of_instant;
+use crate::verify::reading::instants_read::{instant_of, is_of_instant};
 use crate::verify::reading::loads_read::acting_force;
-use crate::verify::reading::misheard::heard_or_unread;
+use crate::verify::reading::misheard::heard;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::operators_read::if_rates_are_told_apart;
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
@@ -57,9 +57,8 @@ pub(crate) fn build(
 ) -> Reading {
     let written = WrittenSymbols::new(written);
     // What holds under a condition is never taken as always true, and what is denied is no fact.
-    let (conditional, always): (Vec<_>, Vec<_>) = with_elements(declarations, &written)
+    let (conditional, always): (Vec<_>, Vec<_>) = heard(with_elements(declarations, &written))
         .into_iter()
-        .map(heard_or_unread)
         .map(|d| if_rates_are_told_apart(d, declarations))
         .partition(|d| {
             let then = has_condition(d) || is_of_instant(d);
@@ -409,7 +408,7 @@ fn has_condition(declaration: &Declaration) -> bool {
 
 fn is_condition(slot: Slot, term: &Term, depth: usize) -> bool {
     match term {
-        Term::Formula(_) => slot == Slot::At && term.is_condition(),
+        _ if instant_of(slot, term).is_some() => true,
         Term::Phrase(phrase) if WHILES.contains(&phrase.head) => true,
         Term::Phrase(phrase) if depth < 8 => {
             let mut inner = phrase.slots.iter();

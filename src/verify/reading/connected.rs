@@ -14,9 +14,39 @@ use std::sync::Arc;
 type Named = BTreeSet<String>;
 
 impl Builder<'_> {
+    /// A sentence of which nothing was made, and that says what letters are, bears on what others say of these: a magnitude of
+    /// a letter of which nothing is known may be that of anything.
+    fn widen_by_what_hangs(&mut self) {
+        let told = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let own = subjects.iter().flat_map(letters_in_term);
+                let of = what.slots.iter().flat_map(|(_, of)| letters_in_term(of));
+                Some((own.collect::<Named>(), of.collect::<Named>()))
+            }
+            _ => None,
+        };
+        let told: Vec<(Named, Named)> = self.declarations.iter().filter_map(told).collect();
+        for unused in &mut self.reading.unused {
+            let Some(letters) = &mut unused.letters else {
+                continue;
+            };
+            let mut grows = true;
+            while grows {
+                let before = letters.len();
+                for (own, of) in &told {
+                    if !letters.is_disjoint(of) {
+                        letters.extend(own.iter().cloned());
+                    }
+                }
+                grows = letters.len() > before;
+            }
+        }
+    }
+
     /// Keeps sentences that were understood, and of which nothing was made, to the letters that are connected with them;
     /// `conditional` are those that hold under a condition.
     pub(super) fn connect_unused(&mut self, conditional: &[Declaration]) {
+        self.widen_by_what_hangs();
         let waits = |u: &Unused| u.understood && !u.beyond && u.letters.is_none();
         if !self.reading.unused.iter().any(waits) {
             return;
@@ -80,6 +110,18 @@ impl Builder<'_> {
             }
         }
         named
+    }
+}
+
+/// The letters of a term that is a formula or on which one hangs.
+fn letters_in_term(term: &Term) -> Named {
+    match term {
+        Term::Formula(formula) => letters_of(formula),
+        Term::Phrase(phrase) => {
+            let inner = phrase.slots.iter();
+            inner.flat_map(|(_, of)| letters_in_term(of)).collect()
+        }
+        _ => Named::new(),
     }
 }
 

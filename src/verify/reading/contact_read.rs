@@ -9,6 +9,9 @@ use crate::verify::reading::names::{name_of, told};
 use crate::verify::reading::surface_read::surface_and_side;
 use crate::verify::term::quantity::Spot;
 
+/// A plane that things touch from below.
+const CEILING: &str = "ceiling";
+
 impl Builder<'_> {
     /// Planes, the points where bodies touch them, and what rolls there.
     pub(super) fn place_contacts(&mut self) {
@@ -56,11 +59,17 @@ impl Builder<'_> {
             None if what.is("horizontal") => self.upward(),
             None => self.normal_of_incline()?,
         };
+        let level = what.slot(Slot::With).is_none() && what.is("horizontal");
         for name in subjects.iter().filter_map(name_of) {
+            // What touches a ceiling is below it.
+            let normal = match level && name == CEILING {
+                true => -normal.clone(),
+                false => normal.clone(),
+            };
             self.system().planes.push(Plane {
                 name,
                 frame,
-                normal: normal.clone(),
+                normal,
             });
         }
         Some(())

@@ -265,6 +265,10 @@ impl Builder<'_> {
             (None, None, Some(axis)) => {
                 Turn::Rate(Axis::Number(axis), Box::new(self.own_rate(frame)))
             }
+            (Some(_), _, None) if self.moves_on(about, relative, said) => {
+                self.say_unused(said.declaration);
+                return None;
+            }
             (angle, rate, _) => {
                 if let Some(angle) = &angle
                     && let Some(turn) =

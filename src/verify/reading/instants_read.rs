@@ -294,7 +294,7 @@ fn instant_of_statement(statement: &Statement) -> Option<(String, Option<Term>)>
 }
 
 /// The instant that a slot names: "at `$t=0$`", "at the start", "at `$t_1$`", "at `$\theta = 0$`".
-fn instant_of(slot: Slot, term: &Term) -> Option<(String, Option<Term>)> {
+pub(super) fn instant_of(slot: Slot, term: &Term) -> Option<(String, Option<Term>)> {
     if slot != Slot::At {
         return None;
     }

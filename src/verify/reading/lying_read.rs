@@ -52,6 +52,28 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether it is said where a thing lies, or along what line of its shape.
+    pub(super) fn is_lying_heard(&self, subjects: &[Term], slots: &[(Slot, Term)]) -> bool {
+        let told = |subject: &Term| {
+            let body = self.body(subject);
+            body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
+        };
+        let placed = [Slot::At, Slot::On, Slot::From];
+        // A vector that lies in a plane.
+        let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+        if letters && matches!(slots, [(Slot::In, _)]) {
+            return true;
+        }
+        // On a thing, a rim or a surface a point may be anywhere; a line tells more.
+        let anywhere = slot(slots, Slot::On).is_some_and(|on| {
+            let side = matches!(on, Term::Phrase(side) if side.head == "side");
+            slots.len() == 1 && !side && axis_of(slots).is_none()
+        });
+        let beside = slots.iter().any(|(slot, _)| *slot == Slot::With);
+        let placed = slots.iter().any(|(slot, _)| placed.contains(slot));
+        !anywhere && !beside && placed || subjects.iter().all(told)
+    }
+
     /// The axis about which all bodies are symmetric that a sentence says to be so, where "the symmetry axis" is of none.
     fn axis_of_symmetry(&self, axis: &NounPhrase) -> Option<Term> {
         let said = self.declarations.iter().filter_map(|d| match &d.statement {

@@ -3,15 +3,19 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS,
-    TOWARDS_GROWING, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING, WEIGHT,
+    DOWNHILL, KEEPS_DIRECTION, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, POSITIVE_ABOUT,
+    POSITIVE_TOWARDS, TOWARDS, TOWARDS_GROWING, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING,
+    WEIGHT,
 };
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
-use crate::verify::language::{is_body, only_names};
+use crate::verify::language::{is_body, is_load, only_names};
+use crate::verify::reading::contradictory::unless_contradictory;
 use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::densities_read::is_per_unit;
+use crate::verify::reading::instants_read::instant_of;
+use crate::verify::reading::makeup_read::if_spread_unevenly;
 use crate::verify::reading::names::node_of;
 
 /// Verbs of motions, whose adverbs say how.
@@ -29,8 +33,15 @@ const SENSES: [&str; 5] = [
 /// Directions that a letter is said to be.
 const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
 
+/// The sentences, and one that was not understood in the place of each that tells nothing.
+pub(super) fn heard(declarations: Vec<Declaration>) -> Vec<Declaration> {
+    let all = unless_contradictory(declarations).into_iter();
+    all.map(heard_or_unread).collect()
+}
+
 /// The sentence, or one that was not understood in its place.
-pub(super) fn heard_or_unread(declaration: Declaration) -> Declaration {
+fn heard_or_unread(declaration: Declaration) -> Declaration {
+    let declaration = if_spread_unevenly(declaration);
     match is_misheard(&declaration.statement) {
         true => declaration.not_understood(),
         false => declaration,
@@ -68,9 +79,17 @@ fn is_misheard(statement: &Statement) -> bool {
             hows.any(|(_, how)| !how.is_noun(TOWARDS))
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
-        Statement::Is { subjects, what } => is_said_otherwise(subjects, what),
+        Statement::Is { subjects, what } => {
+            let shared = several > 1 && has_total(what);
+            statement.tells_sense() || shared || is_said_otherwise(subjects, what)
+        }
         Statement::Premise(what) => {
-            (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
+            // Where or when alone nothing else acts is not worked with.
+            let listed = is_load(what.head) && (what.is("only") || what.is("no"));
+            let placed = |at: &Term| instant_of(Slot::At, at).is_none();
+            listed && what.all(Slot::At).any(placed)
+                || (what.head != MASS && is_per_unit(what))
+                || has_reversed(&what.slots)
         }
         // Primes and labels mean nothing by themselves; other signs do by custom.
         Statement::Notation { sign, meaning } => {
@@ -118,8 +137,12 @@ fn is_done_otherwise(verb: &str, slots: &[(Slot, Term)]) -> bool {
         _ => false,
     };
     let mut others = slots.iter().filter(|slot| !about(slot));
+    // At a thing, a motion is one at some time alone: "at the top".
+    let timed = |(slot, at): &(Slot, Term)| *slot == Slot::At && is_of_thing(at);
+    let moves = MOTIONS.contains(&verb);
     opposite
-        || MOTIONS.contains(&verb) && slots.iter().any(strange)
+        || moves && slots.iter().any(strange)
+        || (moves || verb == KEEPS_DIRECTION) && slots.iter().any(timed)
         || others.any(|(_, term)| is_reversed(term))
 }
 
@@ -138,6 +161,12 @@ const ONCE: [Slot; 9] = [
 
 fn is_quantity(term: &Term) -> bool {
     matches!(term, Term::Phrase(phrase) if only_names(phrase.head))
+}
+
+/// "P and Q are particles of total mass `$m$`": neither has what both have together.
+fn has_total(what: &NounPhrase) -> bool {
+    let total = |size: &Term| matches!(size, Term::Phrase(size) if size.is("total"));
+    is_body(what.head) && what.all(Slot::Of).any(total)
 }
 
 /// Whether it is, and not once of each of several subjects.

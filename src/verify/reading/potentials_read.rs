@@ -20,8 +20,12 @@ use std::collections::HashMap;
 /// Forces that may do work.
 const FORCES_AT_WORK: [&str; 2] = [FORCE, "load"];
 
+/// What gives back the work that is done on it.
+const SPRING: &str = "spring";
+/// How hard it is to stretch.
+const STIFFNESS: &str = "stiffness";
 /// What an elastic thing has.
-const ELASTIC: [&str; 2] = ["stiffness", "damping"];
+const ELASTIC: [&str; 2] = [STIFFNESS, "damping"];
 
 /// Whether a sentence says for which values of letters a potential energy is zero: "`$V$` is zero at `$\\theta = 0$`".
 pub(super) fn tells_zero_of_potential(declaration: &Declaration, all: &[Declaration]) -> bool {
@@ -40,6 +44,21 @@ fn is_potential(letter: &Term, all: &[Declaration]) -> bool {
         Statement::Is { subjects, what } => what.head == POTENTIAL && subjects.contains(letter),
         _ => false,
     })
+}
+
+/// Whether a sentence speaks of what has a potential energy of its own, whichever force it exerts.
+fn speaks_of_spring(declaration: &Declaration) -> bool {
+    let elastic = |term: &Term| match term {
+        Term::Name(name) => name.split(' ').next() == Some(SPRING),
+        Term::Phrase(phrase) => phrase.head == SPRING || phrase.head == STIFFNESS,
+        _ => false,
+    };
+    let head = match &declaration.statement {
+        Statement::Is { what, .. } => what.head == STIFFNESS,
+        _ => false,
+    };
+    head || declaration.statement.terms().into_iter().any(elastic)
+        || declaration.may_speak_of(&[SPRING])
 }
 
 impl<'a> Builder<'a> {
@@ -132,7 +151,12 @@ impl<'a> Builder<'a> {
                 slots,
             } => {
                 let at = slots.iter().any(|(slot, _)| *slot == Slot::At);
-                !at && subjects.iter().any(|s| matches!(s, Term::Formula(_)))
+                let works = |load: &Term| match load {
+                    Term::Formula(_) => true,
+                    Term::Phrase(load) => works(load),
+                    _ => false,
+                };
+                !at && subjects.iter().any(works)
             }
             Statement::Unread { .. } => declaration.may_speak_of(&OF_LOADS),
             _ => false,
@@ -148,7 +172,8 @@ impl<'a> Builder<'a> {
     fn potential_of(&mut self, body: usize, parts: &[usize]) -> Option<Quantity> {
         let gravity = self.gravity.clone()?;
         let mut declarations = self.declarations.iter();
-        if declarations.any(|d| d.may_speak_of(&OF_POTENTIALS)) {
+        let more = |d: &Declaration| d.may_speak_of(&OF_POTENTIALS) || speaks_of_spring(d);
+        if declarations.any(more) {
             return None;
         }
         let zeros = self.zeros_of_potential(body);

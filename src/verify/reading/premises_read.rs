@@ -12,11 +12,9 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{BodyId, FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::components_read::each_component;
-use crate::verify::reading::names::{
-    MASS_CENTRE, POTENTIAL, is_of_products, node_of, reach_of, told,
-};
+use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of, told};
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
+use crate::verify::reading::zeros_read::ZERO;
 use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -77,46 +75,6 @@ impl Builder<'_> {
         }
     }
 
-    /// "`$a$` and `$b$` are zero."
-    fn read_zeros(&mut self, subjects: &[Term], declaration: &Declaration) -> Option<()> {
-        for subject in subjects {
-            match subject {
-                Term::Formula(formula) => {
-                    if let Some(value) = self.formula_value(&formula.clone(), declaration) {
-                        self.hold_zeros(value, declaration);
-                    }
-                }
-                Term::Phrase(phrase) => self.zero_quantity(phrase, declaration)?,
-                _ => return None,
-            }
-        }
-        Some(())
-    }
-
-    /// "The total force on B is zero": at all times.
-    fn zero_quantity(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<()> {
-        if phrase.slot(Slot::At).is_some() {
-            return None;
-        }
-        if is_of_products(phrase) {
-            return self.zero_products(phrase, declaration);
-        }
-        if let Some(each) = each_component(phrase) {
-            let mut each = each.iter();
-            return each.try_for_each(|one| self.zero_quantity(one, declaration));
-        }
-        let quantity = self.quantity(phrase, declaration)?;
-        let value = self.system().value_of(&quantity).ok()?;
-        self.hold_zeros(value, declaration);
-        Some(())
-    }
-
-    fn hold_zeros(&mut self, value: Value, declaration: &Declaration) {
-        for entry in value.entries {
-            self.hold(entry, declaration);
-        }
-    }
-
     /// The point of a turning frame that lies on its axis has no velocity, where the axis passes through a point at rest.
     fn hold_axis_through(
         &mut self,
@@ -171,9 +129,7 @@ impl Builder<'_> {
                 }),
                 _ => None,
             },
-            _ if premise.is("zero") && !premise.is("not") => {
-                self.zero_quantity(premise, declaration)
-            }
+            _ if premise.is(ZERO) && !premise.is("not") => self.zero_premise(premise, declaration),
             _ => None,
         };
         if done.is_none() {

@@ -225,7 +225,7 @@ impl<'a> Builder<'a> {
         self.vanishes(&rate)
     }
 
-    fn vanishes(&mut self, vector: &Vector) -> bool {
+    pub(super) fn vanishes(&mut self, vector: &Vector) -> bool {
         let atoms = &mut self.reading.system.atoms;
         let mut facts = Facts::default();
         let zero = |of: &Fraction| facts.normal(atoms, of).is_ok_and(|f| f.is_zero());

@@ -143,6 +143,9 @@ impl<'a> Builder<'a> {
         if self.is_rolled_on(body) {
             return Some(());
         }
+        if self.is_made_otherwise(body) {
+            return None;
+        }
         if SIDED.contains(&what.head) {
             return self.sided_body(body, what, declaration);
         }

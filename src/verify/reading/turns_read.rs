@@ -9,6 +9,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::Said;
 use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, told};
+use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
     /// Angles in an order: frames between, each turned about one axis.
@@ -144,6 +145,22 @@ impl Builder<'_> {
         let change = self.system().atoms.derivative(&angle);
         self.hold(change - *rate, declaration);
         true
+    }
+
+    /// Whether an axis of a third frame does not stay where it is on the frame against which another one turns: by an angle about
+    /// such an axis nothing turns.
+    pub(super) fn moves_on(&mut self, about: &Term, relative: FrameId, said: &Said<'_>) -> bool {
+        let named = name_of(about).is_some_and(|name| self.axes.get(&name).is_some());
+        let along = match named {
+            true => self.direction(about, said.declaration, None),
+            false => None,
+        };
+        let rate = along.and_then(|along| {
+            let axis = Value::vector(&along, Basis::Itself);
+            let rate = self.system().rate_of_value(&axis, relative).ok()?;
+            rate.to_vector().ok()
+        });
+        rate.is_some_and(|rate| !self.vanishes(&rate))
     }
 
     /// A turn by an angle about a vector, where no sentence says that the axes lie otherwise when the angle is zero.

@@ -8,6 +8,7 @@ use crate::verify::model::system::BodyId;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS, place_in};
 use crate::verify::reading::corners_read::CORNER;
+use crate::verify::reading::makeup_read::HOLLOW;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::parallels_read::are_moments;
@@ -32,8 +33,8 @@ const HEARD: [&str; 11] = [
 ];
 
 /// Places of which the model knows nothing.
-const UNPLACED: [&str; 8] = [
-    "middle", "end", "rim", "corner", "centre", "apex", "pivot", "base",
+const UNPLACED: [&str; 9] = [
+    "middle", "end", "rim", "corner", "centre", "apex", "pivot", "base", "surface",
 ];
 
 /// After so many sentences that were too much no more are taken in.
@@ -121,21 +122,6 @@ impl Builder<'_> {
         self.body(subject).is_some_and(swings)
     }
 
-    /// Whether it is said where a thing lies, or along what line of its shape.
-    fn is_lying_heard(&self, subjects: &[Term], slots: &[(Slot, Term)]) -> bool {
-        let told = |subject: &Term| {
-            let body = self.body(subject);
-            body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
-        };
-        let placed = [Slot::At, Slot::On, Slot::From];
-        // A vector that lies in a plane.
-        let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
-        if letters && matches!(slots, [(Slot::In, _)]) {
-            return true;
-        }
-        slots.iter().any(|(slot, _)| placed.contains(slot)) || subjects.iter().all(told)
-    }
-
     /// "The axis of the tube passes through O": of a tube in which something rolls.
     fn is_axis_of_surface(&self, axis: &Term) -> bool {
         match axis {
@@ -178,6 +164,7 @@ impl Builder<'_> {
             || resting
             || lost
             || of_loads
+            || what.head == HOLLOW
             || what.head == "smooth" && !subjects.iter().all(|s| self.is_smooth_heard(s));
         let placed = match what.head {
             CORNER => subjects.iter().all(|s| self.is_corner_placed(s)),

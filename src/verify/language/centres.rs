@@ -1,0 +1,45 @@
+//! Centres of shapes that are their mass centres.
+
+use super::kinds::name;
+use super::statement::{Declaration, NounPhrase, Slot, Statement};
+use std::collections::BTreeSet;
+
+/// Shapes whose centre, the middle of a face or of what they are cut from, is not their mass centre.
+const ONE_SIDED: [&str; 6] = [
+    "half-disc",
+    "half-cylinder",
+    "half-sphere",
+    "half-ring",
+    "cone",
+    "triangle",
+];
+
+/// The names of the things of which a sentence says something.
+fn names_with(
+    declarations: &[Declaration],
+    told: impl Fn(&NounPhrase) -> bool,
+) -> BTreeSet<String> {
+    let named = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if told(what) => {
+            subjects.iter().filter_map(name).collect()
+        }
+        _ => vec![],
+    };
+    declarations.iter().flat_map(named).collect()
+}
+
+/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod.
+pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
+    let mut uniform = names_with(declarations, |what| what.is("uniform"));
+    let one_sided = names_with(declarations, |what| ONE_SIDED.contains(&what.head));
+    uniform.retain(|thing| !one_sided.contains(thing) && !ONE_SIDED.contains(&thing.as_str()));
+    for declaration in declarations {
+        if let Statement::Is { what, .. } = &mut declaration.statement
+            && matches!(what.head, "centre" | "middle")
+            && let Some(of) = what.slot(Slot::Of).and_then(name)
+            && uniform.contains(&of)
+        {
+            what.head = "mass centre";
+        }
+    }
+}

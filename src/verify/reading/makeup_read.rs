@@ -1,0 +1,76 @@
+//! How the mass of a body is spread, where a sentence says that it is not spread evenly over its shape.
+
+use crate::verify::language::heads::MASS;
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::model::system::BodyId;
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::elements_read::DENSITY;
+
+/// What is said of a shape whose mass does not fill it.
+pub(super) const HOLLOW: &str = "hollow";
+
+/// Shapes that are hollow by their nouns.
+const HOLLOW_SHAPES: [&str; 3] = ["tube", "shell", "ring"];
+
+/// What is denied of a body of which the mass is not spread evenly.
+const EVEN: [&str; 3] = ["uniform", "solid", "constant"];
+
+/// The verb of what is not the same everywhere.
+const DIFFER: &str = "differ";
+
+/// "The density of the wheel is not constant", "the wheel is not uniform": a fact of the body, and no denial that tells nothing.
+pub(super) fn if_spread_unevenly(declaration: Declaration) -> Declaration {
+    let told = match &declaration.statement {
+        Statement::Is { subjects, what } if is_denial(what) => match subjects.as_slice() {
+            [Term::Formula(_)] | [] => None,
+            subjects => Some(subjects.to_vec()),
+        },
+        Statement::Premise(what) if is_denial_of_density(what) => {
+            let mut plain = what.clone();
+            plain.adjectives.clear();
+            Some(vec![Term::Phrase(Box::new(plain))])
+        }
+        _ => None,
+    };
+    match told {
+        Some(subjects) => declaration.saying(Statement::Does {
+            subjects,
+            verb: DIFFER,
+            slots: vec![],
+        }),
+        None => declaration,
+    }
+}
+
+fn is_denial(what: &NounPhrase) -> bool {
+    what.is("not") && EVEN.contains(&what.head) && what.slots.is_empty()
+}
+
+fn is_denial_of_density(what: &NounPhrase) -> bool {
+    let even = EVEN.iter().any(|even| what.is(even));
+    what.is("not") && even && what.head == DENSITY
+}
+
+impl Builder<'_> {
+    /// Whether a sentence says of a body, or of its mass or density, what no shape of uniform density has.
+    pub(super) fn is_made_otherwise(&self, body: BodyId) -> bool {
+        let own = |term: &Term| self.body(term) == Some(body);
+        let of_mass = |term: &Term| match term {
+            Term::Phrase(of) if [MASS, DENSITY].contains(&of.head) => of
+                .slot(Slot::Of)
+                .map_or(self.only_body() == Some(body), own),
+            _ => false,
+        };
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let hollow = what.head == HOLLOW && what.adjectives.is_empty();
+                let by_shape = self.said_to_be(body, &HOLLOW_SHAPES).is_some();
+                hollow && !by_shape && subjects.iter().any(own)
+            }
+            Statement::Does { subjects, verb, .. } => {
+                subjects.iter().any(of_mass) || *verb == DIFFER && subjects.iter().any(own)
+            }
+            _ => false,
+        })
+    }
+}
