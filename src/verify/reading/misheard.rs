@@ -70,16 +70,7 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
         Statement::Is { subjects, what } => {
-            let with = what.all(Slot::With).any(is_of_thing);
-            if is_body(what.head) && with {
-                return true;
-            }
-            if statement.tells_sense() || several > 1 && has_total(what) {
-                return true;
-            }
-            let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
-            let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
-            opposite || (what.head != MASS && is_per_unit(what)) || has_reversed(&what.slots)
+            statement.tells_sense() || is_told_otherwise(subjects, what)
         }
         Statement::Premise(what) => {
             // Where or when alone nothing else acts is not worked with.
@@ -101,6 +92,16 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether something is said to be what a word makes another thing.
+fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
+    let with = is_body(what.head) && what.all(Slot::With).any(is_of_thing);
+    let together = subjects.len() > 1 && has_total(what);
+    let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
+    let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
+    let per_unit = what.head != MASS && is_per_unit(what);
+    with || together || opposite || per_unit || has_reversed(&what.slots)
 }
 
 /// Whether something is done in a way that makes another thing of it.
