@@ -72,7 +72,7 @@ impl Builder<'_> {
         shape: &NounPhrase,
         told: &Declaration,
     ) -> Option<Quantity> {
-        if !shape.is("uniform") {
+        if !shape.is("uniform") || self.is_made_otherwise(body) {
             return None;
         }
         let (content, dimension) = self.content_of_shape(body, shape, told)?;

@@ -80,8 +80,7 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
         Statement::Is { subjects, what } => {
-            let shared = several > 1 && has_total(what);
-            statement.tells_sense() || shared || is_said_otherwise(subjects, what)
+            statement.tells_sense() || is_told_otherwise(subjects, what)
         }
         Statement::Premise(what) => {
             // Where or when alone nothing else acts is not worked with.
@@ -105,22 +104,17 @@ fn is_misheard(statement: &Statement) -> bool {
     }
 }
 
-/// Whether words make another thing of what something is said to be.
-fn is_said_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
-    let with = what.all(Slot::With).any(is_of_thing);
-    if is_body(what.head) && with {
-        return true;
-    }
+/// Whether something is said to be what a word makes another thing.
+fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
+    let with = is_body(what.head) && what.all(Slot::With).any(is_of_thing);
+    let together = subjects.len() > 1 && has_total(what);
     let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
     let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
     let counted = what.head != "angle" && has_sense(what);
     // "positive clockwise" says which way something is counted.
     let how = what.head == "positive" && what.slot(Slot::With).is_some();
-    opposite
-        || counted
-        || how
-        || (what.head != MASS && is_per_unit(what))
-        || has_reversed(&what.slots)
+    let per_unit = what.head != MASS && is_per_unit(what);
+    with || together || opposite || counted || how || per_unit || has_reversed(&what.slots)
 }
 
 /// Whether something is done in a way that makes another thing of it.

@@ -592,3 +592,18 @@ $$p\cdot p=l^2$$
 ";
     assert_eq!(judged(sentences, text), "uuu");
 }
+
+#[test]
+fn the_density_of_what_is_hollow_is_not_its_mass_over_its_volume() {
+    let sentences = r"B is a frame fixed in the wheel.
+$i, j, k$ are the axes of B.
+The wheel is a uniform cylinder of mass $m$, radius $r$ and length $l$.
+k is the axis of the cylinder.
+$\rho$ is the density of the wheel.
+The cylinder is hollow.
+";
+    let text = r"
+$$m=\rho\pi r^2 l$$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
