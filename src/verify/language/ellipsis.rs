@@ -32,7 +32,8 @@ pub(crate) fn parted_at(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Vec<V
     let end = second.iter().position(|t| t.kind == Kind::Semicolon);
     let (second, behind) = second.split_at(end.unwrap_or(second.len()));
     let relative = second.first().is_some_and(is_relative);
-    let nothing = first.is_empty() || second.is_empty();
+    let listed = is_condition(first) && matches!(second, [formula] if is_formula(formula));
+    let nothing = first.is_empty() || second.is_empty() || listed;
     let timed = is_time(&tokens[at..at + joined], second);
     if joined == 0 && !relative || nothing || timed || in_list(tokens, at) {
         return vec![];
@@ -61,6 +62,21 @@ fn is_time(joined: &[Token], second: &[Token]) -> bool {
         .is_some_and(|t| PRONOUNS.contains(&t.lower.as_str()));
     word.lower == "while" && (joined.len() == 1 && !letter || pronoun)
 }
+
+/// Whether words end with a condition: a formula that stands alone behind it is another one, and no clause.
+fn is_condition(tokens: &[Token]) -> bool {
+    match tokens {
+        [.., when, formula] => CONDITIONAL.contains(&when.lower.as_str()) && is_formula(formula),
+        _ => false,
+    }
+}
+
+fn is_formula(token: &Token) -> bool {
+    matches!(token.kind, Kind::Formula | Kind::Plain)
+}
+
+/// Words before a formula by which it is a condition.
+const CONDITIONAL: [&str; 6] = ["at", "when", "while", "for", "where", "if"];
 
 fn without_comma(tokens: &[Token]) -> &[Token] {
     match tokens {
