@@ -59,6 +59,8 @@ pub mod emit;
 pub mod grade;
 #[cfg(feature = "verify")]
 pub mod notation;
+#[cfg(feature = "verify")]
+mod recent;
 #[cfg(feature = "cli")]
 pub mod report;
 #[cfg(feature = "scene")]

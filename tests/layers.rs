@@ -14,6 +14,7 @@ use std::{fs, path::Path};
 /// A module and the modules that it may name. What is not listed is not allowed.
 const LAYERS: &[(&str, &[&str])] = &[
     ("source", &[]),
+    ("recent", &[]),
     ("diagnostic", &["source"]),
     ("scalar", &[]),
     ("notation", &["source", "diagnostic"]),
@@ -30,6 +31,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     (
         "verify",
         &[
+            "recent",
             "source",
             "diagnostic",
             "scalar",
@@ -41,6 +43,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     (
         "grade",
         &[
+            "recent",
             "source",
             "diagnostic",
             "scalar",
@@ -53,6 +56,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     (
         "report",
         &[
+            "recent",
             "source",
             "diagnostic",
             "notation",

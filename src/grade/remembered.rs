@@ -1,28 +1,40 @@
 //! What lines of students came to beside those of the key, kept for the class: many write the same.
 
 use crate::grade::matching::{Entry, Part};
+use crate::recent::Recent;
 use crate::verify::Wording;
 use foldhash::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// When more lines are kept, all of them are forgotten: what is common comes back soon.
-const MOST_LINES: usize = 600;
+/// No more lines are kept.
+const MOST_LINES: usize = 4_000;
 
-/// The same of answers whether a line says what a line of the key does.
-const MOST_ANSWERS: usize = 20_000;
+/// No more answers are kept whether a line says what a line of the key does.
+const MOST_ANSWERS: usize = 60_000;
 
 /// What is kept. All who mark a class share it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Remembered(Arc<Mutex<Kept>>);
 
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Kept {
     /// The lines of the key, by the number of the variables.
     key: HashMap<usize, Arc<[Entry]>>,
-    lines: HashMap<Wording, Parts>,
+    lines: Recent<Wording, Parts>,
     /// How many lines were numbered so far.
     numbered: usize,
-    answers: HashMap<Asked, bool>,
+    answers: Recent<Asked, bool>,
+}
+
+impl Default for Kept {
+    fn default() -> Self {
+        Self {
+            key: HashMap::default(),
+            lines: Recent::of(MOST_LINES),
+            numbered: 0,
+            answers: Recent::of(MOST_ANSWERS),
+        }
+    }
 }
 
 /// The components of a line, and its number.
@@ -56,16 +68,13 @@ impl Remembered {
     }
 
     pub(super) fn line(&self, wording: &Wording) -> Option<Parts> {
-        self.with(|kept| kept.lines.get(wording).cloned())
+        self.with(|kept| kept.lines.get(wording))
     }
 
     /// Keeps the components of a line, and numbers them.
     pub(super) fn keep_line(&self, wording: Wording, entry: &Entry) -> usize {
         let (parts, ends) = (entry.parts.clone(), entry.ends.clone());
         self.with(|kept| {
-            if kept.lines.len() >= MOST_LINES {
-                kept.lines.clear();
-            }
             let number = kept.numbered;
             kept.numbered += 1;
             let parts = Parts {
@@ -73,21 +82,16 @@ impl Remembered {
                 ends,
                 number,
             };
-            kept.lines.insert(wording, parts);
+            kept.lines.insert(wording, parts, 1);
             number
         })
     }
 
     pub(super) fn answer(&self, asked: Asked) -> Option<bool> {
-        self.with(|kept| kept.answers.get(&asked).copied())
+        self.with(|kept| kept.answers.get(&asked))
     }
 
     pub(super) fn keep_answer(&self, asked: Asked, answer: bool) {
-        self.with(|kept| {
-            if kept.answers.len() >= MOST_ANSWERS {
-                kept.answers.clear();
-            }
-            kept.answers.insert(asked, answer);
-        });
+        self.with(|kept| kept.answers.insert(asked, answer, 1));
     }
 }

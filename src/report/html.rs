@@ -3,7 +3,7 @@
 
 use crate::grade::{Line, Numbers};
 use crate::report::Checked;
-use maud::{DOCTYPE, Markup, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 mod formula;
 
@@ -26,22 +26,29 @@ svg { max-width: 100%; height: auto; display: block } svg rect { fill: var(--bar
 @media print { :root { color-scheme: only light; --good: #1a7f37; --bad: #cf222e; --wait: #9a6700 } body { max-width: none; font-size: 11pt; padding: 0 } .formula, .wide { overflow: visible } h2 { break-after: avoid } tr { break-inside: avoid } .line, svg rect { print-color-adjust: exact } }
 ";
 
-/// A whole page around what is in it.
-pub(super) fn document(title: &str, body: &Markup) -> String {
+/// A page up to where its body begins; [`CLOSED`] ends it.
+pub(super) fn opened(title: &str) -> String {
     let page = html! {
         (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                title { (title) }
-                style { (maud::PreEscaped(STYLE)) }
-            }
-            body { (body) }
+        (PreEscaped("<html lang=\"en\">"))
+        head {
+            meta charset="utf-8";
+            meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'";
+            meta name="viewport" content="width=device-width, initial-scale=1";
+            title { (title) }
+            style { (PreEscaped(STYLE)) }
         }
+        (PreEscaped("<body>"))
     };
-    page.into_string() + "\n"
+    page.into_string()
+}
+
+/// What stands behind the body of a page.
+pub(super) const CLOSED: &str = "</body></html>\n";
+
+/// A whole page around what is in it.
+pub(super) fn document(title: &str, body: &Markup) -> String {
+    opened(title) + &body.0 + CLOSED
 }
 
 /// The verdict of a line in words for its author.

@@ -49,16 +49,22 @@ fn whole_report(document: &Document, declared: &Declared, judgments: &[Judgment<
     Report {
         variables: judgments.iter().flat_map(Judgment::variables).collect(),
         meaning: declared.meaning(),
-        ..report(document, declared, judgments)
+        ..report(document, declared, judgments, Residuals::Shown)
     }
 }
 
-fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) -> Report {
+fn report(
+    document: &Document,
+    declared: &Declared,
+    judgments: &[Judgment<'_>],
+    residuals: Residuals,
+) -> Report {
     let each = judgments.iter();
     let each = each.flat_map(|own| own.judge.judged.iter().map(move |judged| (own, judged)));
     let mut rows = Rows {
         document,
         judgments,
+        residuals,
         judged: each
             .map(|(own, judged)| (judged.span, (own, judged)))
             .collect(),
@@ -83,6 +89,14 @@ fn report(document: &Document, declared: &Declared, judgments: &[Judgment<'_>]) 
         meaning: vec![],
         unused: unused(judgments),
     }
+}
+
+/// Whether a report shows what is left of the differences of false lines: it takes a while to print, and who marks a class
+/// has no use for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Residuals {
+    Shown,
+    LeftOut,
 }
 
 /// Sentences that the grammar understands and of which nothing was made.
@@ -139,6 +153,7 @@ fn convention(judgments: &[Judgment<'_>], declarations: &[Declaration]) -> Conve
 struct Rows<'a> {
     document: &'a Document,
     judgments: &'a [Judgment<'a>],
+    residuals: Residuals,
     judged: BTreeMap<Span, (&'a Judgment<'a>, &'a Judged)>,
     /// Letters as they are printed, and as the author writes them first.
     written: HashMap<String, String>,
@@ -255,7 +270,9 @@ impl Rows<'_> {
                 let reason = judged.reason.clone();
                 finding.reason = Some(reason.unwrap_or_else(|| DIFFER.to_owned()));
                 if let Some(shown) = &judged.shown {
-                    finding.residual = own.residual(judged, shown, &finding.source);
+                    if self.residuals == Residuals::Shown {
+                        finding.residual = own.residual(judged, shown, &finding.source);
+                    }
                     finding.counterexample =
                         Some(own.counterexample(judged, shown, &finding.source));
                 }

@@ -292,7 +292,11 @@ fn write(
     text: &str,
     replace: impl Fn(&Path, &str) -> io::Result<()>,
 ) -> Result<(), String> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let done = fs::create_dir_all(folder).and_then(|()| replace(path, text));
+    let made = |folder: &Path| fs::create_dir_all(folder).and_then(|()| replace(path, text));
+    let done = match (replace(path, text), path.parent()) {
+        // The folder is there for most files.
+        (Err(error), Some(folder)) if error.kind() == io::ErrorKind::NotFound => made(folder),
+        (done, _) => done,
+    };
     done.map_err(|error| failed(path, &error))
 }

@@ -48,9 +48,12 @@ impl Class<'_> {
             Ok(results)
         });
         let results = results.map_err(|error| failed(&path, &error))?;
-        let page = class::page(self.key, &tally, missing.unwrap_or(&[]));
-        let page_path = self.out.join("class.html");
-        output::replace(&page_path, &page).map_err(|error| failed(&page_path, &error))?;
+        let page = self.out.join("class.html");
+        let written = output::replace_by(&page, |file| {
+            let student = |place| students.at(place);
+            class::page(self.key, &tally, student, missing.unwrap_or(&[]), file)
+        });
+        written.map_err(|error| failed(&page, &error))?;
         if let Some(path) = &self.worksheet {
             self.fill(path, students)?;
         }

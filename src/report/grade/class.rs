@@ -1,12 +1,16 @@
 //! The page of the class: marks, milestones, mistakes, and who waits for a person.
 
 use crate::grade::{Graded, Key, Marks, Outcome};
-use crate::report::html::{document, prose};
-use maud::{Markup, html};
+use crate::report::html::{CLOSED, opened, prose};
+use maud::{Markup, PreEscaped, html};
 use std::collections::BTreeMap;
+use std::io::{self, Write};
 
 /// The most bars of the distribution of marks, beside one for all of them.
 const BARS: usize = 12;
+
+/// So many different questions are counted each: nobody would read more, and a class of any size fits into memory.
+const MOST_QUESTIONS: usize = 10_000;
 
 /// What is counted of the students of a class.
 #[derive(Clone, Debug, Default)]
@@ -19,8 +23,8 @@ pub struct Tally {
     slips: BTreeMap<String, usize>,
     /// The questions, with the submissions in which each stands and the lines that wait for it.
     questions: BTreeMap<String, (usize, usize)>,
-    /// Who waits for a person, and why.
-    queue: Vec<(String, String)>,
+    /// Who waits for a person, by their places among the students.
+    waiting: Vec<usize>,
 }
 
 /// The outcomes of milestones in the order of the columns.
@@ -34,7 +38,6 @@ const OUTCOMES: [Outcome; 4] = [
 impl Tally {
     /// Counts a student.
     pub fn add(&mut self, student: &Graded) {
-        self.students += 1;
         *self.marks.entry(student.marks).or_default() += 1;
         for reached in &student.milestones {
             let counts = self.outcomes.entry(reached.label.clone()).or_default();
@@ -45,18 +48,27 @@ impl Tally {
             *self.slips.entry(slip.kind.clone()).or_default() += 1;
         }
         for (text, lines) in &student.questions {
-            let (submissions, waiting) = self.questions.entry(text.clone()).or_default();
-            *submissions += 1;
-            *waiting += lines;
+            self.ask(text, *lines);
         }
-        let why = student.queue.as_ref();
-        self.queue
-            .extend(why.map(|why| (student.id.clone(), why.clone())));
+        if student.queue.is_some() {
+            self.waiting.push(self.students);
+        }
+        self.students += 1;
+    }
+
+    /// Counts a question for which lines of a submission wait.
+    fn ask(&mut self, text: &str, lines: usize) {
+        if self.questions.len() >= MOST_QUESTIONS && !self.questions.contains_key(text) {
+            return;
+        }
+        let (submissions, waiting) = self.questions.entry(text.to_owned()).or_default();
+        *submissions += 1;
+        *waiting += lines;
     }
 
     /// How many wait for a person.
     pub fn waiting(&self) -> usize {
-        self.queue.len()
+        self.waiting.len()
     }
 
     /// The mean of all marks and their median, to a tenth.
@@ -78,11 +90,51 @@ impl Tally {
     }
 }
 
-/// The page of a class, with those on the roster who handed in nothing.
-pub fn page(key: &Key, tally: &Tally, missing: &[String]) -> String {
+/// Writes the page of a class, with those on the roster who handed in nothing. Who waits for a person is looked up by the
+/// place among the students and written one by one: nothing of a large class is kept for it.
+///
+/// # Errors
+///
+/// Those of the writer, and of looking up a student.
+pub fn page(
+    key: &Key,
+    tally: &Tally,
+    student: impl Fn(usize) -> io::Result<Graded>,
+    missing: &[String],
+    mut to: impl Write,
+) -> io::Result<()> {
+    let mut put = |text: String| to.write_all(text.as_bytes());
+    put(opened(&key.name))?;
+    put(counted(key, tally).into_string())?;
+    if tally.waiting() > 0 {
+        let head = html! {
+            h2 { "Who waits for a person" }
+            (PreEscaped("<table>"))
+            tr { th { "Student" } th { "Why" } }
+        };
+        put(head.into_string())?;
+        for &place in &tally.waiting {
+            let Graded { id, queue, .. } = student(place)?;
+            let why = prose(&queue.unwrap_or_default());
+            put(html! { tr { td { (id) } td { (why) } } }.into_string())?;
+        }
+        put("</table>".to_owned())?;
+    }
+    let absent = html! {
+        @if !missing.is_empty() {
+            h2 { "Who handed in nothing" }
+            ul { @for id in missing { li { (id) } } }
+        }
+    };
+    put(absent.into_string())?;
+    put(CLOSED.to_owned())
+}
+
+/// What is counted of a class.
+fn counted(key: &Key, tally: &Tally) -> Markup {
     let waiting = tally.waiting();
     let (mean, median) = tally.middle();
-    let body = html! {
+    html! {
         h1 { (key.name) }
         p { (number(tally.students, "submission", "submissions")) ", of which " (number(waiting, "waits", "wait")) " for a person." }
         p { (key.max()) " marks at most, mean " (mean) ", median " (median) "." @if waiting > 0 { " A milestone that waits counts as no marks." } }
@@ -93,19 +145,7 @@ pub fn page(key: &Key, tally: &Tally, missing: &[String]) -> String {
         @let slips = most_first(&tally.slips);
         @if !slips.is_empty() { h2 { "First slips" } (bars(&slips)) }
         (questions(tally))
-        @if waiting > 0 {
-            h2 { "Who waits for a person" }
-            table {
-                tr { th { "Student" } th { "Why" } }
-                @for (id, why) in &tally.queue { tr { td { (id) } td { (prose(why)) } } }
-            }
-        }
-        @if !missing.is_empty() {
-            h2 { "Who handed in nothing" }
-            ul { @for id in missing { li { (id) } } }
-        }
-    };
-    document(&key.name, &body)
+    }
 }
 
 /// How many students have how many marks: in steps of one, two or five of a decimal place, and the most by itself.
@@ -163,6 +203,7 @@ fn questions(tally: &Tally) -> Markup {
                 @for (text, (submissions, waiting)) in asked {
                     li { (prose(text)) " It stands in " (number(*submissions, "submission", "submissions")) "; " (number(*waiting, "line waits", "lines wait")) "." }
                 }
+                @if tally.questions.len() >= MOST_QUESTIONS { li { "No more questions are listed." } }
             }
         }
     }
@@ -230,6 +271,17 @@ mod tests {
         assert_eq!(bars_of(8.0, &[7.5, 8.0]), [bar("7 to 8", 1), bar("8", 1)]);
         assert_eq!(bars_of(50.0, &[49.0]), [bar("45 to 50", 1)]);
         assert_eq!(bars_of(0.0, &[0.0]).len(), 1);
+    }
+
+    #[test]
+    fn no_more_questions_are_kept_than_a_person_would_read() {
+        let mut tally = Tally::default();
+        for number in 0..MOST_QUESTIONS + 5 {
+            tally.ask(&format!("what is `x_{number}`?"), 1);
+        }
+        tally.ask("what is `x_0`?", 2);
+        assert_eq!(tally.questions.len(), MOST_QUESTIONS);
+        assert_eq!(tally.questions["what is `x_0`?"], (2, 3));
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! A formula as MathML, or as its source where it can't be drawn.
 
+use crate::recent::Recent;
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::{Parser, RenderConfig, Storage, config::DisplayMode, push_mathml};
 use roxmltree::Document as Tree;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::panic::catch_unwind;
 
 /// Longer or deeper formulas are shown as they are written.
@@ -153,11 +153,11 @@ fn pieces(drawn: &str, tree: &Tree<'_>) -> Vec<String> {
 
 thread_local! {
     /// The formulas that were drawn last: a class writes the same ones again and again.
-    static DRAWN: RefCell<HashMap<(String, bool), Option<String>>> = RefCell::default();
+    static DRAWN: RefCell<Recent<(String, bool), Option<String>>> = RefCell::new(Recent::of(MOST_BYTES));
 }
 
-/// No more drawn formulas are kept, and none whose source is longer.
-const MOST_KEPT: usize = 1_000;
+/// No more bytes of drawn formulas are kept, and no formula whose source is longer.
+const MOST_BYTES: usize = 4 << 20;
 const LONGEST_KEPT: usize = 300;
 
 fn drawn(source: &str, mode: DisplayMode) -> Option<String> {
@@ -165,13 +165,13 @@ fn drawn(source: &str, mode: DisplayMode) -> Option<String> {
         return draw(source, mode);
     }
     DRAWN.with_borrow_mut(|kept| {
-        if kept.len() == MOST_KEPT {
-            kept.clear();
-        }
         let key = (source.to_owned(), mode == DisplayMode::Inline);
-        kept.entry(key)
-            .or_insert_with(|| draw(source, mode))
-            .clone()
+        kept.get(&key).unwrap_or_else(|| {
+            let drawn = draw(source, mode);
+            let bytes = drawn.as_ref().map_or(0, String::len) + source.len();
+            kept.insert(key, drawn.clone(), bytes);
+            drawn
+        })
     })
 }
 

@@ -8,7 +8,7 @@ use crate::notation::reread;
 use crate::source::Span;
 use crate::verify::correction::search::corrections;
 use crate::verify::declarations::Declared;
-use crate::verify::declared::report;
+use crate::verify::declared::{Residuals, report};
 use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::{Atoms, dotted};
 use crate::verify::reading::builder::place_in;
@@ -197,12 +197,13 @@ impl Shared {
     pub(crate) fn check(&self, document: &Document) -> Report {
         let mut judgments = self.judgments(document, &[]);
         judgments.iter_mut().for_each(Judgment::correct);
-        report(document, &self.declared, &judgments)
+        report(document, &self.declared, &judgments, Residuals::LeftOut)
     }
 
     /// The same without looking for what would put false lines right, and with some lines taken as claimed.
     pub(crate) fn judge(&self, document: &Document, claimed: &[&Finding]) -> Report {
-        report(document, &self.declared, &self.judgments(document, claimed))
+        let judgments = self.judgments(document, claimed);
+        report(document, &self.declared, &judgments, Residuals::LeftOut)
     }
 
     fn judgments<'d>(&self, document: &'d Document, claimed: &[&Finding]) -> Vec<Judgment<'d>> {

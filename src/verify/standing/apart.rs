@@ -14,9 +14,8 @@ use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::KeptApart;
 use crate::verify::reading::loads_read::tells_loads;
-use crate::verify::standing::hold::Sides;
+use crate::verify::standing::heard::{Heard, Recalled};
 use crate::verify::standing::judge::Judge;
-use crate::verify::standing::memory::{Memory, Recall};
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
@@ -55,8 +54,8 @@ pub(crate) struct WorkedOut {
     prepared: Prepared,
     /// What was taken in.
     settled: Vec<(Fraction, Source)>,
-    /// The sides of links, if a link has the same on every line.
-    sides: Option<Memory<Sides>>,
+    /// What documents that go on from it were found to say, if a link says the same on every line.
+    heard: Option<Heard>,
 }
 
 /// Documents under one reading, in which laws say nothing.
@@ -65,8 +64,8 @@ pub(crate) struct Apart<'a> {
     pub(super) facts: Facts,
     /// What was taken in.
     settled: Vec<(Fraction, Source)>,
-    /// The sides of links in other documents that go on from the same.
-    pub(super) recalled: Option<Recall<Sides>>,
+    /// What other documents that go on from the same say.
+    pub(super) recalled: Option<Recalled>,
     /// Whether nothing but that was taken in from which it goes on.
     pub(super) is_fresh: bool,
 }
@@ -107,8 +106,8 @@ impl<'a> Apart<'a> {
         let mut prepared = worked_out.prepared.clone();
         let facts = std::mem::take(&mut prepared.facts);
         let system = &mut prepared.reading.system;
-        let sides = worked_out.sides.clone();
-        let recalled = sides.map(|sides| Recall::new(sides, system));
+        let heard = worked_out.heard.clone();
+        let recalled = heard.map(|heard| heard.used_by(system));
         Self {
             judge: Judge::over(document, Part::default(), prepared),
             facts,
@@ -136,7 +135,7 @@ impl<'a> Apart<'a> {
         WorkedOut {
             prepared,
             settled: self.settled,
-            sides: uniform.then(Memory::default),
+            heard: uniform.then(Heard::default),
         }
     }
 

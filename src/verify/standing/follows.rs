@@ -93,9 +93,9 @@ impl Apart<'_> {
             && all.all(is_free)
     }
 
-    /// Whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where
+    /// Works out whether these vanish if those do, with the rates of those or without; `None` where it is not worked out, or where
     /// those contradict each other.
-    pub(crate) fn follow(
+    pub(super) fn works_out(
         &mut self,
         goals: &[Fraction],
         from: &[Fraction],

@@ -1,14 +1,38 @@
 //! What documents say apart from laws that others said before.
 
 use crate::algebra::Fraction;
+use crate::verify::model::system::System;
 use crate::verify::standing::apart::{Apart, Said};
 use crate::verify::standing::chains::Link;
-use crate::verify::standing::hold::WorkedOut;
-use crate::verify::standing::memory::{Formula, Wording};
+use crate::verify::standing::hold::{Sides, WorkedOut};
+use crate::verify::standing::memory::{Formula, Memory, Recall, Wording};
 use std::collections::BTreeSet;
 
 /// Sides of more terms are not kept.
 const MOST_TERMS: usize = 300;
+
+/// What was heard of documents that go on from the same: the sides of links, and what follows from what.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Heard {
+    sides: Memory<Sides>,
+    follows: Memory<Option<bool>>,
+}
+
+/// The same, as one document uses it.
+pub(super) struct Recalled {
+    sides: Recall<Sides>,
+    follows: Recall<Option<bool>>,
+}
+
+impl Heard {
+    /// For a document that begins with this.
+    pub(super) fn used_by(self, system: &mut System) -> Recalled {
+        Recalled {
+            sides: Recall::new(self.sides, system),
+            follows: Recall::new(self.follows, system),
+        }
+    }
+}
 
 impl Apart<'_> {
     /// The sides of a link, as another document had them or worked out.
@@ -17,20 +41,20 @@ impl Apart<'_> {
         let own = self.wording_of(link);
         let system = &mut self.judge.reading.system;
         let known = self.recalled.as_mut().zip(own.as_ref());
-        if let Some(sides) = known.and_then(|(recalled, own)| recalled.known(system, own)) {
+        if let Some(sides) = known.and_then(|(recalled, own)| recalled.sides.known(system, own)) {
             return Ok(sides);
         }
         let sides = self.judge.sides(link, &BTreeSet::new())?;
         let size = |of: &Fraction| of.numerator().len() + of.denominator().len();
         let terms = sides.sides.iter();
-        let terms = terms.map(|(left, right)| size(left) + size(right));
+        let terms: usize = terms.map(|(left, right)| size(left) + size(right)).sum();
         // What hangs on other lines of the document is not the same in the next one.
         let alone = sides.settles.is_none()
             && self.judge.reading.letters.written.times_asked() == asked
-            && terms.sum::<usize>() <= MOST_TERMS;
+            && terms <= MOST_TERMS;
         if let (Some(recalled), Some(own)) = (&mut self.recalled, own.filter(|_| alone)) {
             let system = &self.judge.reading.system;
-            recalled.keep(system, own, sides.clone());
+            recalled.sides.keep(system, own, sides.clone(), terms);
         }
         Ok(sides)
     }
@@ -40,7 +64,34 @@ impl Apart<'_> {
         let recalled = self.recalled.as_mut()?;
         let integrals = self.judge.reading.letters.customs.integrals;
         let of = Formula::of_link(link, link.relation as usize * 2 + usize::from(integrals))?;
-        recalled.wording(&self.judge.reading.system, of)
+        recalled.sides.wording(&self.judge.reading.system, of)
+    }
+
+    /// Whether these vanish if those do, as it came out for another document or is worked out.
+    pub(crate) fn follow(
+        &mut self,
+        goals: &[Fraction],
+        from: &[Fraction],
+        rates: bool,
+    ) -> Option<bool> {
+        let system = &mut self.judge.reading.system;
+        let recalled = self.recalled.as_mut().filter(|_| self.is_fresh);
+        let asked = recalled.and_then(|recalled| {
+            let of = Formula::of_goals(goals, from, rates);
+            let wording = recalled.follows.wording(system, of)?;
+            Some((recalled.follows.known(system, &wording), wording))
+        });
+        let wording = match asked {
+            Some((Some(known), _)) => return known,
+            Some((None, wording)) => Some(wording),
+            None => None,
+        };
+        let follows = self.works_out(goals, from, rates);
+        if let (Some(recalled), Some(wording)) = (&mut self.recalled, wording) {
+            let system = &self.judge.reading.system;
+            recalled.follows.keep(system, wording, follows, 0);
+        }
+        follows
     }
 
     /// How what a line says is looked for among lines of other documents, which took in the same; `None` for a line that
@@ -48,13 +99,14 @@ impl Apart<'_> {
     pub(crate) fn wording(&mut self, said: &Said) -> Option<Wording> {
         let sides = said.sides.as_ref().filter(|_| !said.defines)?;
         let recalled = self.recalled.as_mut().filter(|_| self.is_fresh)?;
-        recalled.wording(&self.judge.reading.system, Formula::of_sides(sides))
+        let system = &self.judge.reading.system;
+        recalled.sides.wording(system, Formula::of_sides(sides))
     }
 
     /// The number of the variables that there are, where nothing of this document was taken in.
     pub(crate) fn state(&mut self) -> Option<usize> {
         let recalled = self.recalled.as_mut().filter(|_| self.is_fresh)?;
-        recalled.state(&self.judge.reading.system)
+        recalled.sides.state(&self.judge.reading.system)
     }
 
     /// A number that is another one after each change of the variables.

@@ -5,14 +5,18 @@
 
 use crate::algebra::{Fraction, Polynomial};
 use crate::notation::ast::{Line, Shape};
+use crate::recent::Recent;
 use crate::verify::model::changes::Added;
 use crate::verify::model::system::System;
 use crate::verify::standing::chains::Link;
-use foldhash::HashMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-/// When more is kept, all of it is forgotten: what is common comes back soon.
-const MOST_KEPT: usize = 1_000;
+/// How many bytes of one kind are kept, about.
+const MOST_BYTES: usize = 6 << 20;
+
+/// What a formula and its value take beside their terms, and what each term takes.
+const BYTES: usize = 1_000;
+const BYTES_OF_TERM: usize = 60;
 
 /// Formulas whose trees have more bytes, or whose sides more terms, are not kept.
 const LONGEST: usize = 2_000;
@@ -32,11 +36,11 @@ impl<V> Clone for Memory<V> {
     }
 }
 
-impl<V> Default for Memory<V> {
+impl<V: Clone> Default for Memory<V> {
     fn default() -> Self {
         Self(Arc::new(Mutex::new(Kept {
             states: vec![],
-            values: HashMap::default(),
+            values: Recent::of(MOST_BYTES),
         })))
     }
 }
@@ -45,11 +49,11 @@ impl<V> Default for Memory<V> {
 struct Kept<V> {
     /// The variables that documents brought up.
     states: Vec<Added>,
-    values: HashMap<Wording, Found<V>>,
+    values: Recent<Wording, Found<V>>,
 }
 
 /// What was found, and the state after it, where it brought up variables.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Found<V> {
     value: V,
     then: Option<usize>,
@@ -76,6 +80,8 @@ pub(crate) enum Formula {
     Tree(Vec<u8>),
     /// What its sides are worth.
     Sides(Vec<Polynomial>),
+    /// Whether the first of these vanish where the others do, with their rates or without.
+    Follows(usize, bool, Vec<Polynomial>),
 }
 
 impl Formula {
@@ -102,16 +108,38 @@ impl Formula {
     /// By what its sides are worth.
     pub(crate) fn of_sides(sides: &[(Fraction, Fraction)]) -> Self {
         let sides = sides.iter().flat_map(|(left, right)| [left, right]);
-        let parts = sides.flat_map(|side| [side.numerator(), side.denominator()]);
-        Self::Sides(parts.cloned().collect())
+        Self::Sides(parts(sides))
+    }
+
+    /// Whether these vanish where those do.
+    pub(crate) fn of_goals(goals: &[Fraction], from: &[Fraction], rates: bool) -> Self {
+        Self::Follows(goals.len(), rates, parts(goals.iter().chain(from)))
     }
 
     fn is_long(&self) -> bool {
         match self {
             Self::Tree(bytes) => bytes.len() > LONGEST,
-            Self::Sides(sides) => sides.iter().map(Polynomial::len).sum::<usize>() > MOST_TERMS,
+            Self::Sides(values) | Self::Follows(.., values) => terms(values) > MOST_TERMS,
         }
     }
+
+    /// How many bytes it takes.
+    fn bytes(&self) -> usize {
+        match self {
+            Self::Tree(bytes) => bytes.len(),
+            Self::Sides(values) | Self::Follows(.., values) => terms(values) * BYTES_OF_TERM,
+        }
+    }
+}
+
+/// What fractions are made of.
+fn parts<'f>(of: impl Iterator<Item = &'f Fraction>) -> Vec<Polynomial> {
+    let parts = of.flat_map(|value| [value.numerator(), value.denominator()]);
+    parts.cloned().collect()
+}
+
+fn terms(of: &[Polynomial]) -> usize {
+    of.iter().map(Polynomial::len).sum()
 }
 
 /// The memory, as one document uses it.
@@ -174,25 +202,23 @@ impl<V: Clone> Recall<V> {
 
     /// What was found before; the variables that it brought up then are there afterwards.
     pub(crate) fn known(&mut self, system: &mut System, wording: &Wording) -> Option<V> {
-        let kept = self.memory.kept();
+        let mut kept = self.memory.kept();
         let found = kept.values.get(wording)?;
         if let Some(then) = found.then {
             system.atoms.bring_up(self.first, &kept.states[then]);
             (self.state, self.changes) = (Some(then), Some(system.atoms.changes()));
         }
-        Some(found.value.clone())
+        Some(found.value)
     }
 
-    /// Keeps what was found.
-    pub(crate) fn keep(&mut self, system: &System, wording: Wording, found: V) {
+    /// Keeps what was found, which has so many terms.
+    pub(crate) fn keep(&mut self, system: &System, wording: Wording, found: V, terms: usize) {
         let Some(now) = self.state(system) else {
             return;
         };
         let then = Some(now).filter(|now| *now != wording.state);
+        let bytes = BYTES + wording.of.bytes() + terms * BYTES_OF_TERM;
         let values = &mut self.memory.kept().values;
-        if values.len() >= MOST_KEPT {
-            values.clear();
-        }
-        values.insert(wording, Found { value: found, then });
+        values.insert(wording, Found { value: found, then }, bytes);
     }
 }

@@ -138,9 +138,8 @@ impl Judge<'_> {
     pub(crate) fn keep_correction(&mut self, of: AskedFor, correction: Correction) {
         let same = self.reading.letters.written.times_asked() == of.asked;
         if let Some(recalled) = self.again.recalled.as_mut().filter(|_| same) {
-            recalled
-                .1
-                .keep(&self.reading.system, of.wording, correction);
+            let system = &self.reading.system;
+            recalled.1.keep(system, of.wording, correction, 0);
         }
     }
 
@@ -154,9 +153,11 @@ impl Judge<'_> {
             && held.settles.is_none()
             && !held.beyond
             && !self.facts.are_too_many;
-        let wording = wording.filter(|_| alone && terms(held) <= MOST_TERMS);
+        let terms = terms(held);
+        let wording = wording.filter(|_| alone && terms <= MOST_TERMS);
         if let (Some(recalled), Some(wording)) = (&mut self.again.recalled, wording) {
-            recalled.0.keep(&self.reading.system, wording, held.clone());
+            let system = &self.reading.system;
+            recalled.0.keep(system, wording, held.clone(), terms);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Factor, Kind, Node, Shape as Tree, Symbol};
+use crate::recent::Recent;
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
 use crate::verify::term::letters::{Letters, Meaning};
@@ -13,8 +14,11 @@ use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// No more products are kept; then all of them are forgotten.
+/// No more products are kept of one document; then all of them are forgotten.
 const MOST_PRODUCTS: usize = 1_000;
+
+/// No more are kept for other documents.
+const MOST_COMMON: usize = 8_000;
 
 /// The value of a symbol or of a product, and how it was found.
 #[derive(Clone, Debug)]
@@ -28,7 +32,7 @@ struct KnownValue {
 /// Values of products for many documents that begin with the same variables.
 #[derive(Clone, Debug)]
 struct Common {
-    products: Arc<Mutex<HashMap<Vec<u8>, KnownValue>>>,
+    products: Arc<Mutex<Recent<Vec<u8>, KnownValue>>>,
     /// How many variables they begin with, and how much of everything else.
     first: usize,
     extent: [usize; 8],
@@ -91,7 +95,7 @@ impl Known {
     /// From here on many documents go on: what they find of products in these variables alone is kept for the others.
     pub(crate) fn share(&mut self, system: &System) {
         self.common = Some(Common {
-            products: Arc::default(),
+            products: Arc::new(Mutex::new(Recent::of(MOST_COMMON))),
             first: system.atoms.len(),
             extent: system.extent(),
         });
@@ -214,8 +218,8 @@ impl Lowering<'_> {
         let common = self.known.common.as_ref()?;
         let products = common.products.lock();
         // Nothing in it is ever half done.
-        let products = products.unwrap_or_else(PoisonError::into_inner);
-        products.get(tree).cloned()
+        let mut products = products.unwrap_or_else(PoisonError::into_inner);
+        products.get(tree)
     }
 
     /// Keeps the value of a product for other documents, if it is the same in each.
@@ -230,10 +234,7 @@ impl Lowering<'_> {
         if is_same {
             let products = common.products.lock();
             let mut products = products.unwrap_or_else(PoisonError::into_inner);
-            if products.len() >= MOST_PRODUCTS {
-                products.clear();
-            }
-            products.insert(tree.to_vec(), known.clone());
+            products.insert(tree.to_vec(), known.clone(), 1);
         }
     }
 
