@@ -266,8 +266,27 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
     declarations.extend(told);
 }
 
+/// "`$k$` is upward": it is the upward vertical.
+fn tell_verticals(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && SENSES_OF_VERTICAL.contains(&what.head)
+            && what.slots.is_empty()
+            && what.adjectives.is_empty()
+            && matches!(subjects.as_slice(), [Term::Name(_) | Term::Formula(_)])
+        {
+            what.adjectives.push(what.head);
+            what.head = VERTICAL;
+        }
+    }
+}
+
+/// How the vertical points.
+const SENSES_OF_VERTICAL: [&str; 2] = ["upward", "downward"];
+
 /// "about the vertical axis through O along `$k$`": k is vertical; and what turns about it in a horizontal plane only turns.
 pub(crate) fn tell_upright_axes(declarations: &mut Vec<Declaration>) {
+    tell_verticals(declarations);
     say_besides(declarations, |statement| {
         let Statement::Does {
             subjects,

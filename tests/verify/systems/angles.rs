@@ -116,4 +116,6 @@ $$ a = -l\sin\theta $$
         "from the downward vertical to the beam, positive about $k$",
     );
     assert_eq!(judged(&sense, text), "ppr");
+    let upward = sentences.replace("$j$ is the upward vertical", "$j$ is upward");
+    assert_eq!(judged(&upward, text), "ppr");
 }

@@ -74,3 +74,18 @@ $$ \dot\Phi = 0 $$
 ";
     assert_eq!(judged(sentences, text), "puu");
 }
+
+#[test]
+fn several_conditions_of_one_thing_are_no_lines_that_hold() {
+    let sentences = r"
+N is an inertial frame.
+P is a particle of mass $m$.
+O is a point fixed in N.
+$w$ is the speed of P relative to N.
+$a$ is the frequency of the oscillations of $q$ at $c=0$ and $w=0$.
+";
+    let text = r"
+$$ w = 0 $$
+";
+    assert_ne!(judged(sentences, text), "p");
+}
