@@ -11,6 +11,7 @@ mod grade {
     mod hostile;
     mod key;
     mod outputs;
+    mod period;
     mod platforms;
     mod rules;
     mod runs;

@@ -97,7 +97,7 @@ impl Builder<'_> {
         }
         let atoms = &mut self.system().atoms;
         let (root, turn) = (atoms.root(&squared)?, atoms.pi() * whole(2));
-        let known = Quantity::Known(Value::scalar(turn / root));
+        let known = Quantity::ByRule(Value::scalar(turn / root));
         self.denote(letter, Meaning::Quantity(known), declaration);
         Some(())
     }

@@ -71,7 +71,7 @@ impl Builder<'_> {
             FREQUENCY => root / turn,
             _ => root,
         };
-        let known = Quantity::Known(Value::scalar(told));
+        let known = Quantity::ByRule(Value::scalar(told));
         self.denote(letter, Meaning::Quantity(known), declaration);
         Some(())
     }

@@ -86,7 +86,9 @@ impl System {
                 self.composed(quantity)
             }
             Quantity::Scalar { .. } => self.value_of_letter(quantity),
-            Quantity::Known(value) if value.is_scalar() => Ok(value.clone()),
+            Quantity::Known(value) | Quantity::ByRule(value) if value.is_scalar() => {
+                Ok(value.clone())
+            }
             _ => Err(beyond_space()),
         }
     }

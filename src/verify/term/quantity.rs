@@ -165,6 +165,8 @@ pub(crate) enum Quantity {
     Pair(Box<Quantity>, FrameId, [usize; 2]),
     /// Something already worked out.
     Known(Value),
+    /// The same by a rule, as a period: what a line says of it is more than what its letter means.
+    ByRule(Value),
     Scaled(Box<Quantity>, Fraction),
     Sum(Vec<Quantity>),
 }
@@ -196,6 +198,7 @@ impl Quantity {
             | Self::On(of, _)
             | Self::Pair(of, ..)
             | Self::Scaled(of, _) => of.law(),
+            Self::ByRule(_) => "period",
             _ => "definition",
         }
     }
@@ -215,7 +218,12 @@ impl System {
     /// The value of a letter: variables with its name, told by the law that gives the quantity.
     pub(crate) fn letter(&mut self, text: &str, quantity: &Quantity) -> Valued {
         let value = self.value_of(quantity)?;
-        if quantity.is_indexed() || matches!(quantity, Quantity::Known(_) | Quantity::Sum(_)) {
+        let is_put_in = match quantity {
+            Quantity::Known(_) | Quantity::Sum(_) => true,
+            Quantity::ByRule(_) => self.apart == KeptApart::Sums,
+            other => other.is_indexed(),
+        };
+        if is_put_in {
             return Ok(value);
         }
         let is_told = !matches!(quantity.law(), "definition" | "attitude");
@@ -274,7 +282,7 @@ impl System {
             Quantity::Axis(frame, axis) => itself(self.axis(*frame, *axis)),
             Quantity::Rotation { from, to } => self.identity([Basis::On(*to), Basis::On(*from)]),
             Quantity::Identity => self.identity([Basis::Any; 2]),
-            Quantity::Known(value) => value.clone(),
+            Quantity::Known(value) | Quantity::ByRule(value) => value.clone(),
             of_body => return self.value_of_whole(of_body),
         })
     }
@@ -368,7 +376,8 @@ fn place_of(quantity: &Quantity) -> Place {
         Quantity::Mass(_)
         | Quantity::Inertia { .. }
         | Quantity::Entry { .. }
-        | Quantity::Along { .. } => Place::Parameter,
+        | Quantity::Along { .. }
+        | Quantity::ByRule(_) => Place::Parameter,
         Quantity::Position { .. } | Quantity::Rotation { .. } | Quantity::Axis(..) => {
             Place::Coordinate
         }
