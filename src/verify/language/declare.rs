@@ -29,17 +29,7 @@ pub fn read_declarations(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> (Vec<Declaration>, Vec<Misread>) {
-    let lines = text
-        .lines()
-        .enumerate()
-        .map(|(at, line)| (at + 1, line.trim_end()));
-    let sentences = lines
-        .filter(|(_, line)| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
-    let sentences = sentences.flat_map(|(line, text)| {
-        let told = sentences_of(text).into_iter();
-        told.map(move |sentence| (line, sentence))
-    });
-    let sentences: Vec<(usize, String)> = sentences.collect();
+    let sentences = numbered_sentences(text);
     let parted = sentences.iter().map(|(line, text)| parted(text, *line));
     let mut parted: Vec<_> = parted.collect();
     keep_capitals(&mut parted);
@@ -86,6 +76,21 @@ pub fn read_declarations(
     part_absences(&mut declarations);
     tell_absences(&mut declarations);
     (in_plain_terms(declarations, macros, lexicon), misread)
+}
+
+/// The sentences of a text, each with the number of its line.
+fn numbered_sentences(text: &str) -> Vec<(usize, String)> {
+    let lines = text
+        .lines()
+        .enumerate()
+        .map(|(at, line)| (at + 1, line.trim_end()));
+    let told = lines
+        .filter(|(_, line)| !line.trim_start().is_empty() && !line.trim_start().starts_with('#'));
+    let sentences = told.flat_map(|(line, text)| {
+        let each = sentences_of(text).into_iter();
+        each.map(move |sentence| (line, sentence))
+    });
+    sentences.collect()
 }
 
 /// The sentences of a line, each at its place: what stands before it is blank.

@@ -105,6 +105,7 @@ impl<'a> Reader<'a> {
         if entry.class != Class::Thing || !matches!(slot, Slot::Of | Slot::With) {
             return sizes;
         }
+        let start = self.at;
         let mut behind = self.at;
         while let Some(size) = self.size() {
             sizes.push(size);
@@ -113,7 +114,12 @@ impl<'a> Reader<'a> {
                 break;
             }
         }
-        self.at = behind;
+        // A list with other quantities is read as one.
+        let others = !sizes.is_empty() && self.at > behind && self.noun_next();
+        if others {
+            sizes.clear();
+        }
+        self.at = if others { start } else { behind };
         sizes
     }
 

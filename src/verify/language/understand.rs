@@ -63,8 +63,8 @@ pub(crate) fn understood(
         Ok(said) => return Ok(said),
         Err(ways) => ways,
     };
-    let mut left = MOST_PARTINGS;
     for mut now in ways {
+        let mut left = MOST_PARTINGS;
         loop {
             match parted_further(&now, lexicon, strictly, &mut left) {
                 Parted::Understood(said) => return Ok(said),
@@ -76,8 +76,7 @@ pub(crate) fn understood(
     Err(first)
 }
 
-/// What a sentence says in another way; else the ways of which the grammar leaves the fewest words, and the one that was
-/// given.
+/// What a sentence says in another way; else the one that was given, and those of which the grammar leaves the fewest words.
 fn said_otherwise(
     given: Way,
     lexicon: &Lexicon,
@@ -103,7 +102,7 @@ fn said_otherwise(
         }
         ways[taken + 1..].sort_by_key(|way| way.stuck.left);
     }
-    ways.sort_by_key(|way| way.stuck.left);
+    ways[1..].sort_by_key(|way| way.stuck.left);
     ways.truncate(MOST_PARTED);
     Err(ways)
 }

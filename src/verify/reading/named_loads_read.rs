@@ -38,12 +38,9 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
-        if let Some(load) = self.load_between(phrase, on) {
-            return Some(vec![load]);
-        }
-        if let Some(body) = on
-            && let Some(load) = self.kind_between(phrase, body)
-        {
+        let of_kind = |own: &Self| on.and_then(|body| own.kind_between(phrase, body));
+        let between = self.load_between(phrase, on);
+        if let Some(load) = between.or_else(|| of_kind(self)) {
             return Some(vec![load]);
         }
         let agent = self.agent_outside(phrase, on);

@@ -32,6 +32,9 @@ const HEARD: [&str; 11] = [
     "place",
 ];
 
+/// Verbs of motions by which nothing is turned.
+pub(super) const MOVING: [&str; 4] = ["move", "slide", "swing", "fall"];
+
 /// Places of which the model knows nothing.
 const UNPLACED: [&str; 9] = [
     "middle", "end", "rim", "corner", "centre", "apex", "pivot", "base", "surface",
@@ -86,21 +89,9 @@ impl Builder<'_> {
                     let letter = matches!(subject, Term::Formula(_));
                     line.is_some() || letter || self.is_force(subject)
                 }),
-                Statement::Does {
-                    subjects,
-                    verb: "move" | "slide",
-                    ..
-                } if self.move_as_points(subjects) => true,
-                Statement::Does {
-                    subjects,
-                    verb: "move",
-                    slots,
-                } if self.plane_of_motion(subjects, slots, declaration).is_some() => true,
-                Statement::Does {
-                    subjects,
-                    verb: "swing" | "move" | "fall",
-                    ..
-                } => subjects.iter().all(|subject| self.swings(subject)),
+                Statement::Does { verb, .. } if MOVING.contains(verb) => {
+                    self.moves_as_modelled(declaration)
+                }
                 Statement::Does {
                     subjects,
                     verb: "pass",
@@ -114,6 +105,28 @@ impl Builder<'_> {
             if !heard {
                 self.say_unused(declaration);
             }
+        }
+    }
+
+    /// Whether the model moves things as a sentence says that they move.
+    pub(super) fn moves_as_modelled(&mut self, declaration: &Declaration) -> bool {
+        match &declaration.statement {
+            Statement::Does {
+                subjects,
+                verb: "move" | "slide",
+                ..
+            } if self.move_as_points(subjects) => true,
+            Statement::Does {
+                subjects,
+                verb: "move",
+                slots,
+            } if self.plane_of_motion(subjects, slots, declaration).is_some() => true,
+            Statement::Does {
+                subjects,
+                verb: "swing" | "move" | "fall",
+                ..
+            } => subjects.iter().all(|subject| self.swings(subject)),
+            _ => false,
         }
     }
 

@@ -14,6 +14,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{FORCES, letters_of};
 use crate::verify::reading::names::name_of;
 use crate::verify::reading::reactions_read::same_letter;
+use crate::verify::reading::unused_read::MOVING;
 use crate::verify::term::letters::Reach;
 
 /// What drives a body, and no body itself.
@@ -52,13 +53,18 @@ impl Builder<'_> {
     }
 
     /// Whether a sentence of which nothing is made may tie the motion, or drive it.
-    fn may_be_tied(&self) -> bool {
-        let unused = |sentence: &str| self.reading.unused.iter().any(|u| u.sentence == sentence);
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Unread { touched, .. } => !matches!(touched, Touched::Signs(_)),
-            Statement::Does { .. } => unused(d.sentence()),
-            Statement::Is { what, .. } if what.head == FUNCTION => unused(d.sentence()),
-            _ => false,
+    fn may_be_tied(&mut self) -> bool {
+        self.declarations.iter().any(|d| {
+            let all = &self.reading.unused;
+            let unused = || all.iter().any(|u| u.sentence == d.sentence());
+            match &d.statement {
+                Statement::Unread { touched, .. } => !matches!(touched, Touched::Signs(_)),
+                Statement::Does { verb, .. } => {
+                    unused() || MOVING.contains(verb) && !self.moves_as_modelled(d)
+                }
+                Statement::Is { what, .. } if what.head == FUNCTION => unused(),
+                _ => false,
+            }
         })
     }
 

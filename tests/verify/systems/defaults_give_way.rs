@@ -1,6 +1,6 @@
 //! What is taken by custom gives way to sentences that speak of the same thing, and what a sentence says is not dropped.
 
-use super::judged;
+use super::{judged, verdicts};
 
 #[test]
 fn what_lies_at_rest_by_no_sentence_may_move() {
@@ -104,7 +104,7 @@ $$v = a\dot\theta j$$
         ("No force acts on Q.", "r"),
     ] {
         assert_eq!(
-            judged(&format!("{sentences}{more}\n"), text),
+            verdicts(&format!("{sentences}{more}\n"), text).0,
             expected,
             "{more}"
         );
@@ -319,7 +319,11 @@ $$i = \cos a x+\sin a y$$
         "$a$ is positive clockwise.",
         "i lies along y at $a=0$.",
     ] {
-        assert_eq!(judged(&format!("{sentences}{more}\n"), text), "u", "{more}");
+        assert_eq!(
+            verdicts(&format!("{sentences}{more}\n"), text).0,
+            "u",
+            "{more}"
+        );
     }
 }
 
@@ -416,7 +420,7 @@ $$x\cdot y = 0$$
 ";
     assert_eq!(judged(sentences, text), "pp");
     let left = format!("{sentences}$x, y, z$ form a left-handed system.\n");
-    assert_eq!(judged(&left, text), "uu");
+    assert_eq!(verdicts(&left, text).0, "uu");
     let oblique = format!("{sentences}$x, y, z$ are not orthogonal.\n");
-    assert_eq!(judged(&oblique, text), "uu");
+    assert_eq!(verdicts(&oblique, text).0, "uu");
 }

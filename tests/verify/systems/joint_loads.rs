@@ -170,7 +170,9 @@ $$ P = m\ddot x $$
 $$ Q - mg = m\ddot y $$
 $$ Q - mg = 2m\ddot y $$
 ";
-    assert_eq!(judged(sentences, text), "ppr");
-    let without = sentences.replace("The force of the floor is along $j$.\n", "");
-    assert_ne!(&judged(&without, text)[..1], "p");
+    let verdicts = judged(sentences, text);
+    assert_eq!(&verdicts[1..], "pr");
+    assert_ne!(&verdicts[..1], "r");
+    let without = sentences.replace("The force of the wall is along $i$.\n", "");
+    assert_ne!(&judged(&without, text)[1..2], "p");
 }
