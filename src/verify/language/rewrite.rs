@@ -233,6 +233,16 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
         let (used, bound) = matched(rest, tokens.get(length..)?, whole)?;
         Some((used + length, bound))
     };
+    // A letter that stands twice stands for the same words.
+    let letter = |c: char, length: usize| {
+        let (used, mut bound) = behind(length)?;
+        let own = tokens.get(..length)?;
+        let other = bound.iter().find(|(letter, _)| *letter == c);
+        let same = |(_, other): &(char, &[Token])| said_alike(other, own);
+        other.is_none_or(same).then_some(())?;
+        bound.push((c, own));
+        Some((used, bound))
+    };
     let one_of = |words: &[String]| {
         let (used, mut bound) = tokens
             .first()
@@ -250,11 +260,7 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
             .then_some(())
             .and_then(|()| behind(1)),
         Piece::Built(_) => None,
-        Piece::One(c) => {
-            let (used, mut bound) = behind(1)?;
-            bound.push((*c, tokens.get(..1)?));
-            Some((used, bound))
-        }
+        Piece::One(c) => letter(*c, 1),
         Piece::Any(c) | Piece::Phrase(c) | Piece::Clause(c) => {
             if matches!(piece, Piece::Phrase(_)) && !begins_phrase(tokens.first()?) {
                 return None;
@@ -271,18 +277,17 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
                 _ => false,
             };
             let longest = tokens.iter().position(ends).unwrap_or(tokens.len());
-            (shortest..=longest).find_map(|length| {
-                let (used, mut bound) = behind(length)?;
-                bound.push((*c, &tokens[..length]));
-                Some((used, bound))
-            })
+            (shortest..=longest).find_map(|length| letter(*c, length))
         }
-        Piece::Formulas(c) => list_lengths(tokens).find_map(|length| {
-            let (used, mut bound) = behind(length)?;
-            bound.push((*c, &tokens[..length]));
-            Some((used, bound))
-        }),
+        Piece::Formulas(c) => list_lengths(tokens).find_map(|length| letter(*c, length)),
     }
+}
+
+/// Whether two parts of a sentence have the same words.
+fn said_alike(one: &[Token], other: &[Token]) -> bool {
+    let words =
+        |tokens: &[Token]| -> Vec<String> { tokens.iter().map(|t| t.lower.clone()).collect() };
+    words(one) == words(other)
 }
 
 /// Whether a word, a number or a sign that may be spoken of is one of some words.
