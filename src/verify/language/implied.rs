@@ -125,6 +125,12 @@ impl Reader<'_> {
         self.lexicon.entry(phrase.head, &kinds).is_some() && !INDEXED.contains(&phrase.head)
     }
 
+    /// Whether a line of the document comes next, by its number, and no axis.
+    pub(crate) fn at_numbered_line(&self) -> bool {
+        let number = self.tokens.get(self.at + 1).map(|token| token.kind);
+        matches!(self.word(), "line" | "lines") && number == Some(Kind::Number)
+    }
+
     /// An error where "its" comes next behind the thing itself: nothing is its own mass centre, and so it is of what the
     /// sentence before spoke of.
     pub(crate) fn not_its_own(&self, subjects: &[Term]) -> Read<()> {

@@ -294,7 +294,8 @@ impl<'a> Reader<'a> {
             let longer = |n: usize| {
                 adjective.is_none_or(|a| a.length < n || (a.length == n && !self.noun_behind(n)))
             };
-            if let Some(noun) = noun.filter(|noun| longer(noun.length)) {
+            let noun = noun.filter(|noun| longer(noun.length) && !self.at_numbered_line());
+            if let Some(noun) = noun {
                 self.at += noun.length;
                 break (noun.entry, noun.inflection);
             }
