@@ -37,7 +37,13 @@ pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
             subjects: vec![bead.clone()],
             verb: "lie",
             slots: vec![
-                (Slot::At, distance),
+                (
+                    Slot::At,
+                    Term::Phrase(Box::new(NounPhrase::new(
+                        "distance",
+                        vec![(Slot::Which, distance)],
+                    ))),
+                ),
                 (Slot::From, pivot.clone()),
                 (Slot::Along, along.clone()),
             ],

@@ -172,7 +172,17 @@ impl Builder<'_> {
     pub(super) fn tells_vertical(&self) -> bool {
         let ground = self.reading.system.ground;
         let unnamed = self.axes.iter().all(|(_, (frame, _))| *frame != ground);
-        self.bearings.vertical.is_some() || unnamed
+        self.bearings.vertical.is_some() || unnamed || self.has_unit_vector_along_vertical()
+    }
+
+    /// "`$k$` is the unit vector along the upward vertical."
+    fn has_unit_vector_along_vertical(&self) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { what, .. } if what.head == UNIT_VECTOR => {
+                what.all(Slot::Along).any(|along| along.is_noun(VERTICAL))
+            }
+            _ => false,
+        })
     }
 
     /// The unit vector that points up.

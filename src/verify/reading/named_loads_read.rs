@@ -64,7 +64,8 @@ impl Builder<'_> {
         if told.is_empty() {
             told = self.letters_told_by(phrase, body);
         }
-        if !told.is_empty() {
+        let by_noun = Called::Noun(noun_of(phrase, agent.as_deref()), body);
+        if !told.is_empty() && self.loads_called(&by_noun).is_empty() {
             let loads = told.into_iter();
             return loads
                 .map(|letter| self.load(letter, Lasting::Always))

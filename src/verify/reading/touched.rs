@@ -69,13 +69,14 @@ fn is_bare(node: &Node) -> bool {
     }
 }
 
-/// Whether it tells what nothing else does: how something lies where an angle is zero, between what an angle is, or that
-/// letters are not what they are by custom. That one is not constant, or not small, only adds.
+/// Whether it tells what nothing else does: how something lies where an angle is zero, between what an angle is, how something
+/// is measured, or that letters are not what they are by custom. That one is not constant, or not small, only adds.
 pub(super) fn tells_anew(statement: &Statement) -> bool {
     let (verb, slots) = match statement {
         Statement::Does { verb, slots, .. } => (verb, slots),
         Statement::Is { what, .. } => {
-            return what.head == "angle"
+            return what.head == "angle" && !what.slots.is_empty()
+                || what.head == "measured"
                 || what.is("not") && !["constant", "small", "zero"].contains(&what.head);
         }
         _ => return false,

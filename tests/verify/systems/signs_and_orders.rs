@@ -1,6 +1,6 @@
 //! Signs that are left open, and terms that are left away.
 
-use super::judged;
+use super::{judged, verdicts};
 
 const TOP: &str = "N is an inertial frame.
 B is a frame fixed in the body.
@@ -87,5 +87,5 @@ $a$ is the frequency of the oscillations of $q$ at $c=0$ and $w=0$.
     let text = r"
 $$ w = 0 $$
 ";
-    assert_ne!(judged(sentences, text), "p");
+    assert_ne!(verdicts(sentences, text).0, "p");
 }
