@@ -37,13 +37,7 @@ pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
             subjects: vec![bead.clone()],
             verb: "lie",
             slots: vec![
-                (
-                    Slot::At,
-                    Term::Phrase(Box::new(NounPhrase::new(
-                        "distance",
-                        vec![(Slot::Which, distance)],
-                    ))),
-                ),
+                (Slot::At, distance),
                 (Slot::From, pivot.clone()),
                 (Slot::Along, along.clone()),
             ],
