@@ -148,7 +148,7 @@ pub(crate) fn body_noun(noun: &str) -> Option<&'static str> {
 /// Whether a noun means what acts on bodies.
 pub(crate) fn is_load(noun: &str) -> bool {
     let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
-    entry.is_some_and(|entry| entry.slot("on") == Some(statement::Slot::Upon))
+    entry.is_some_and(lexicon::Entry::is_load)
 }
 
 /// Whether a noun means a thing of the system: a frame, a point, a body.

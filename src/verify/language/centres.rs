@@ -1,5 +1,6 @@
 //! Centres of shapes that are their mass centres.
 
+use super::heads::MASS_CENTRE;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement};
 use std::collections::BTreeSet;
@@ -39,7 +40,7 @@ pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
             && let Some(of) = what.slot(Slot::Of).and_then(name)
             && uniform.contains(&of)
         {
-            what.head = "mass centre";
+            what.head = MASS_CENTRE;
         }
     }
 }

@@ -99,6 +99,11 @@ pub(crate) struct Entry {
 }
 
 impl Entry {
+    /// Whether it means what acts on bodies.
+    pub(crate) fn is_load(&self) -> bool {
+        self.class == Class::Noun && self.slot("on") == Some(Slot::Upon)
+    }
+
     /// Whether it is a noun that says what quantity a letter is, and no more than that.
     pub(crate) fn only_names(&self) -> bool {
         self.class == Class::Noun && !self.tells

@@ -2,7 +2,7 @@
 //! at the same point.
 
 use super::heads::{CONTACT_POINT, WEIGHT};
-use super::lexicon::{Class, Lexicon};
+use super::is_load;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 
 /// A load in the list of a body.
@@ -55,7 +55,7 @@ fn in_list(declaration: &Declaration) -> Vec<Listed> {
         return vec![];
     };
     let loads = premise.all(Slot::With).filter_map(|load| match load {
-        Term::Phrase(load) if is_load(load) => Some(Listed {
+        Term::Phrase(load) if is_load(load.head) && load.head != WEIGHT => Some(Listed {
             body: body.clone(),
             load: (**load).clone(),
         }),
@@ -72,7 +72,7 @@ fn complete(term: &mut Term, listed: &[Listed]) {
 
 /// The body on which a load acts, and its point, where one list has a load of this name and no other.
 fn complete_phrase(phrase: &mut NounPhrase, listed: &[Listed]) {
-    if !is_load(phrase) {
+    if !is_load(phrase.head) {
         let terms = phrase.slots.iter_mut();
         terms.for_each(|(_, term)| complete(term, listed));
         return;
@@ -106,10 +106,4 @@ fn is_same(phrase: &NounPhrase, listed: &Listed) -> bool {
         && listed.load.slot(Slot::Which).is_none()
         && upon.is_none_or(|upon| *upon == listed.body)
         && at.is_none_or(|at| listed.load.slot(Slot::At).is_none_or(|own| own == at))
-}
-
-/// Whether a noun means something that acts on bodies, and not its weight.
-fn is_load(noun: &NounPhrase) -> bool {
-    let entry = Lexicon::shared().entry(noun.head, &[Class::Noun]);
-    noun.head != WEIGHT && entry.is_some_and(|entry| entry.slot("on") == Some(Slot::Upon))
 }

@@ -1,7 +1,7 @@
 //! "No other moment acts on the ball": none but those that sentences tell.
 
 use super::heads::MOMENT;
-use super::lexicon::{Class, Lexicon};
+use super::is_load;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// The adverb of what is left out.
@@ -63,10 +63,4 @@ fn moments_on(
         moments.push((Slot::Of, moment));
     }
     Some(moments).filter(|moments| !moments.is_empty())
-}
-
-/// Whether a noun means something that acts on bodies.
-fn is_load(noun: &str) -> bool {
-    let entry = Lexicon::shared().entry(noun, &[Class::Noun]);
-    entry.is_some_and(|entry| entry.slot("on") == Some(Slot::Upon))
 }

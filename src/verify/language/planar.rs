@@ -3,7 +3,7 @@
 //! No sentence names the axes of such a plane. The third axis of the frame that carries the plane points up, and what moves
 //! turns about the second one: at the angle zero its own third axis points up as well.
 
-use super::heads::{UNIT_VECTOR, VERTICAL};
+use super::heads::{TOWARDS_GROWING, UNIT_VECTOR, VERTICAL};
 use super::hinges::name_joint;
 use super::inclinations::{
     Inclination, Motion, inclinations, incline_in_turn, is_level_axis, motions, name_planes,
@@ -195,7 +195,7 @@ fn own_axis(number: usize, line: &Line) -> NounPhrase {
 /// "perpendicular to n, towards growing `$\theta$`"
 fn grows_with(what: &NounPhrase, letter: &Formula) -> bool {
     what.all(Slot::With).any(|with| match with {
-        Term::Phrase(towards) if towards.head == "towards growing" => {
+        Term::Phrase(towards) if towards.head == TOWARDS_GROWING => {
             let mut of = towards.all(Slot::Of);
             of.any(|of| matches!(of, Term::Formula(f) if f.source == letter.source))
         }

@@ -1,8 +1,9 @@
 //! Words that stand elsewhere in the plain form of a sentence: axes, owners, ends of lines, remarks and appositions.
 
 use super::lexicon::{Class, Lexicon};
-use super::reader::{ARTICLES, COPULAS};
+use super::reader::ARTICLES;
 use super::rewrite::put_in;
+use super::sentence_parts::begins_with_verb;
 use super::words::{Kind, Token};
 
 /// What an order of axes may be that of, or may be called.
@@ -221,10 +222,7 @@ pub(crate) fn described_first(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec
         &tokens[open + 1..close],
         &tokens[close + 1..],
     );
-    let words: Vec<&str> = rest.iter().map(|t| t.lower.as_str()).collect();
-    let first = words.first()?;
-    let verb = COPULAS.contains(first) || lexicon.find(&words, &[Class::Verb]).is_some();
-    if !verb || inside.is_empty() {
+    if !begins_with_verb(rest, lexicon) || inside.is_empty() {
         return None;
     }
     let near = inside.first()?;
@@ -253,8 +251,7 @@ pub(crate) fn told_beside(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
     };
     let open = tokens.windows(2).position(relative).filter(|&at| at > 0)?;
     let (before, inside) = (&tokens[..open], &tokens[open + 2..]);
-    let words: Vec<&str> = inside.iter().map(|t| t.lower.as_str()).collect();
-    let verb = COPULAS.contains(words.first()?) || lexicon.find(&words, &[Class::Verb]).is_some();
+    let verb = begins_with_verb(inside, lexicon);
     let close = inside.iter().rposition(comma).filter(|_| verb)?;
     let semicolon = put_in(Kind::Semicolon, "", &tokens[open]);
     let (inside, behind) = (&inside[..close], &inside[close + 1..]);
@@ -342,23 +339,3 @@ fn counts(formula: &str) -> bool {
         .is_some_and(|n| n.trim().parse::<usize>().is_ok());
     letter && first && numbers.next().is_some()
 }
-
-/// "Relative to B the wheel turns about z" with what stands in front at its end, for each place where that may end.
-pub(crate) fn fronted(tokens: &[Token], lexicon: &Lexicon) -> Vec<Vec<Token>> {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    let Some(preposition) = lexicon.find(&words, &[Class::Preposition]) else {
-        return vec![];
-    };
-    let clause = tokens.iter().position(|t| t.kind == Kind::Semicolon);
-    let (clause, behind) = tokens.split_at(clause.unwrap_or(tokens.len()));
-    let ends = preposition.length + 1..clause.len().min(LONGEST_FRONT);
-    let moved = |end: usize| {
-        let (front, rest) = clause.split_at(end);
-        let comma = usize::from(rest[0].kind == Kind::Comma);
-        [&rest[comma..], front, behind].concat()
-    };
-    ends.map(moved).collect()
-}
-
-/// What stands in front of a clause takes no more pieces than this.
-const LONGEST_FRONT: usize = 9;

@@ -285,9 +285,8 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
 
 /// Whether two parts of a sentence have the same words.
 fn said_alike(one: &[Token], other: &[Token]) -> bool {
-    let words =
-        |tokens: &[Token]| -> Vec<String> { tokens.iter().map(|t| t.lower.clone()).collect() };
-    words(one) == words(other)
+    let mut pairs = one.iter().zip(other);
+    one.len() == other.len() && pairs.all(|(one, other)| one.lower == other.lower)
 }
 
 /// Whether a word, a number or a sign that may be spoken of is one of some words.

@@ -82,6 +82,13 @@ pub(super) fn is_list(tokens: &[Token]) -> bool {
     tokens.iter().any(|t| joins(t) || formula(t))
 }
 
+/// Whether a verb comes next.
+pub(super) fn begins_with_verb(tokens: &[Token], lexicon: &Lexicon) -> bool {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let copula = words.first().is_some_and(|word| COPULAS.contains(word));
+    copula || lexicon.find(&words, &[Class::Verb]).is_some()
+}
+
 /// Whether a preposition comes next.
 pub(super) fn preposition(tokens: &[Token], lexicon: &Lexicon) -> Option<usize> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();

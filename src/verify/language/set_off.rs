@@ -1,7 +1,7 @@
 //! What is set off from a clause by commas, or stands in front of it: words that begin with a preposition.
 
-use super::lexicon::{Class, Lexicon};
-use super::sentence_parts::{clause, preposition};
+use super::lexicon::Lexicon;
+use super::sentence_parts::{begins_with_verb, clause, preposition};
 use super::words::{Kind, Token};
 
 /// The clauses of a sentence, each with where it begins and ends.
@@ -17,23 +17,39 @@ fn clauses(tokens: &[Token]) -> impl Iterator<Item = (usize, usize)> + '_ {
     })
 }
 
+/// What may stand in front of a clause, for each place where that may end, and the rest.
+fn fronts<'t>(
+    clause: &'t [Token],
+    lexicon: &Lexicon,
+) -> impl Iterator<Item = (&'t [Token], &'t [Token])> {
+    let ends =
+        preposition(clause, lexicon).map(|length| length + 1..clause.len().min(LONGEST_FRONT));
+    ends.into_iter().flatten().map(|end| {
+        let (front, rest) = clause.split_at(end);
+        let comma = usize::from(rest[0].kind == Kind::Comma);
+        (front, &rest[comma..])
+    })
+}
+
+/// What stands in front of a clause takes no more pieces than this.
+const LONGEST_FRONT: usize = 9;
+
+/// "Relative to B the wheel turns about z" with what stands in front of the first clause at its end.
+pub(super) fn fronted(tokens: &[Token], lexicon: &Lexicon) -> Vec<Vec<Token>> {
+    let end = tokens.iter().position(|t| t.kind == Kind::Semicolon);
+    let (clause, behind) = tokens.split_at(end.unwrap_or(tokens.len()));
+    let moved = fronts(clause, lexicon).map(|(front, rest)| [rest, front, behind].concat());
+    moved.collect()
+}
+
 /// "In B, the momentum of the body has the components `$a$`, `$b$`" with what stands in front behind the subject: "the momentum
 /// of the body in B has …".
 pub(super) fn front_behind_subject(tokens: &[Token], lexicon: &Lexicon) -> Vec<Vec<Token>> {
     let mut others = vec![];
     for (start, end) in clauses(tokens) {
-        let said = &tokens[start..end];
-        let Some(length) = preposition(said, lexicon) else {
-            continue;
-        };
-        for at in length + 1..said.len().min(LONGEST_FRONT) {
-            let (front, rest) = said.split_at(at);
-            let comma = usize::from(rest[0].kind == Kind::Comma);
-            let rest = &rest[comma..];
-            if !begins_subject(rest, lexicon) {
-                continue;
-            }
-            if let Some((subject, verb, behind)) = clause(rest, lexicon) {
+        for (front, rest) in fronts(&tokens[start..end], lexicon) {
+            let said = clause(rest, lexicon).filter(|_| begins_subject(rest, lexicon));
+            if let Some((subject, verb, behind)) = said {
                 let moved = [subject, front, verb, behind].concat();
                 others.push([&tokens[..start], &moved, &tokens[end..]].concat());
             }
@@ -41,9 +57,6 @@ pub(super) fn front_behind_subject(tokens: &[Token], lexicon: &Lexicon) -> Vec<V
     }
     others
 }
-
-/// What stands in front of a clause has no more words than this.
-const LONGEST_FRONT: usize = 9;
 
 /// Whether a subject begins here.
 fn begins_subject(tokens: &[Token], lexicon: &Lexicon) -> bool {
@@ -57,23 +70,15 @@ pub(super) fn without_commas(tokens: &[Token], lexicon: &Lexicon) -> Vec<Vec<Tok
     let mut others = vec![];
     for (start, end) in clauses(tokens) {
         let comma = |&at: &usize| tokens[at].kind == Kind::Comma;
-        let opens = (start + 1..end).filter(comma);
-        for open in opens {
-            let inside = &tokens[open + 1..end];
-            let verb = |at: &usize| is_verb(&inside[*at..], lexicon);
-            if preposition(inside, lexicon).is_none() {
+        for open in (start + 1..end).filter(comma) {
+            let close = (open + 1..end).find(comma).unwrap_or(end);
+            let inside = &tokens[open + 1..close];
+            let verb = (0..inside.len()).any(|at| begins_with_verb(&inside[at..], lexicon));
+            if preposition(inside, lexicon).is_none() || verb {
                 continue;
             }
-            let close = (0..inside.len())
-                .find(|&at| inside[at].kind == Kind::Comma)
-                .unwrap_or(inside.len());
-            if (0..close).any(|at| verb(&at)) {
-                continue;
-            }
-            let (inside, behind) = inside.split_at(close);
-            let behind = behind.get(1..).unwrap_or_default();
-            let before = &tokens[..open];
-            let rest = &tokens[end..];
+            let (before, rest) = (&tokens[..open], &tokens[end..]);
+            let behind = &tokens[(close + 1).min(end)..end];
             others.push([before, inside, behind, rest].concat());
             if !behind.is_empty() {
                 others.push([before, behind, inside, rest].concat());
@@ -81,13 +86,4 @@ pub(super) fn without_commas(tokens: &[Token], lexicon: &Lexicon) -> Vec<Vec<Tok
         }
     }
     others
-}
-
-/// Whether a verb comes next.
-fn is_verb(tokens: &[Token], lexicon: &Lexicon) -> bool {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-    let copula = words
-        .first()
-        .is_some_and(|word| super::reader::COPULAS.contains(word));
-    copula || lexicon.find(&words, &[Class::Verb]).is_some()
 }

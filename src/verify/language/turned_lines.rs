@@ -1,6 +1,6 @@
 //! Lines that are told by their angle with an axis, towards another one: they turn in the plane of both.
 
-use super::heads::{POSITIVE_ABOUT, VERTICAL};
+use super::heads::{POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS, VERTICAL};
 use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
@@ -10,7 +10,7 @@ use super::turned_vectors::turn_vectors;
 use crate::notation::Macros;
 
 /// Words of the sense in which an angle grows.
-const SENSES: [&str; 2] = ["towards", "positive towards"];
+const SENSES: [&str; 2] = [TOWARDS, POSITIVE_TOWARDS];
 
 /// An axis of a frame, from 1, and whether a direction goes against it.
 pub(super) struct Direction {

@@ -6,11 +6,11 @@ use super::ellipsis::{joint_weakness, parted_at};
 use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
 use super::reorder::{
-    axes, compounds, described_first, fronted, indexed_by_any, possessives, tell_ends_of_lines,
-    told_beside, without_brackets, without_ranges,
+    axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
+    without_brackets, without_ranges,
 };
 use super::rewrite::plainly;
-use super::set_off::{front_behind_subject, without_commas};
+use super::set_off::{front_behind_subject, fronted, without_commas};
 use super::statement::Misread;
 use super::told_apart::told_apart;
 use super::words::Token;
@@ -90,8 +90,11 @@ fn said_otherwise(
             break;
         };
         for other in other_ways(&way.tokens.clone(), lexicon) {
+            if read == MOST_READ {
+                break;
+            }
             let tokens = plainly(&other);
-            if read == MOST_READ || !seen.insert(words(&tokens)) {
+            if !seen.insert(words(&tokens)) {
                 continue;
             }
             read += 1;

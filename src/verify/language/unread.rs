@@ -6,7 +6,7 @@ use super::lexicon::Class;
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
-use super::statement::{Formula, Sign, Slot, Touched};
+use super::statement::{Formula, Sign, Touched};
 use super::words::{Kind, Token};
 use crate::notation::ast::{Kind as Tree, Node, Operator};
 use crate::notation::document::Row;
@@ -315,7 +315,7 @@ impl Reader<'_> {
 
     fn at_load(&self) -> bool {
         let noun = self.find(&[Class::Noun]);
-        noun.is_some_and(|noun| noun.entry.slot("on") == Some(Slot::Upon))
+        noun.is_some_and(|noun| noun.entry.is_load())
     }
 
     /// "The lift …", "the force of the hoop …"

@@ -20,17 +20,17 @@ pub(super) fn unless_contradictory(declarations: Vec<Declaration>) -> Vec<Declar
         let mut all = verticals.iter();
         all.any(|other| other.0 == one.0 && other.1 != one.1)
     };
-    let denies = |one: &Declaration, other: &Declaration| {
+    let told: Vec<Told<'_>> = declarations.iter().map(Told::of).collect();
+    let telling: Vec<&Told<'_>> = told.iter().filter(|told| told.tells()).collect();
+    let denies = |one: &Told<'_>, other: &Told<'_>| {
         places_otherwise(one, other)
             || measures_otherwise(one, other)
             || has_other_axis(one, other, &declarations)
     };
-    let contradictory: Vec<bool> = declarations
-        .iter()
-        .map(|d| {
-            let denied = declarations.iter().any(|other| denies(d, other));
-            vertical(d).is_some_and(|one| turned(&one)) || denied
-        })
+    let denied = |one: &Told<'_>| one.tells() && telling.iter().any(|other| denies(one, other));
+    let contradictory = declarations.iter().zip(&told);
+    let contradictory: Vec<bool> = contradictory
+        .map(|(d, told)| vertical(d).is_some_and(|one| turned(&one)) || denied(told))
         .collect();
     let all = declarations.into_iter().zip(contradictory);
     all.map(|(declaration, contradictory)| match contradictory {
@@ -52,29 +52,62 @@ fn vertical(declaration: &Declaration) -> Option<(String, &'static str)> {
     Some((name_of(subject).filter(|_| what.head == VERTICAL)?, side))
 }
 
+/// What a sentence tells of which there is only one.
+struct Told<'d> {
+    declaration: &'d Declaration,
+    /// What is placed, from where and along what.
+    placed: Option<(&'d [Term], &'d Term, &'d Term)>,
+    sizes: Vec<(String, &'static str, String)>,
+    /// The axis of a body, by their names.
+    axis: Option<(String, String)>,
+}
+
+impl<'d> Told<'d> {
+    fn of(declaration: &'d Declaration) -> Self {
+        Self {
+            declaration,
+            placed: placed(declaration),
+            sizes: sizes_across(declaration),
+            axis: axis(declaration),
+        }
+    }
+
+    fn tells(&self) -> bool {
+        self.placed.is_some() || !self.sizes.is_empty() || self.axis.is_some()
+    }
+}
+
+fn placed(declaration: &Declaration) -> Option<(&[Term], &Term, &Term)> {
+    let (subjects, slots) = declaration.statement.does("lie")?;
+    slot(slots, Slot::At)?;
+    Some((
+        subjects,
+        slot(slots, Slot::From)?,
+        slot(slots, Slot::Along)?,
+    ))
+}
+
 /// Whether one sentence places one thing from another in two ways at once: at a distance along one axis and at another along
 /// another.
-fn places_otherwise(one: &Declaration, other: &Declaration) -> bool {
-    let same = one.line == other.line && one.text == other.text && one.extent == other.extent;
-    let placed = |d: &'_ Declaration| -> Option<(Vec<Term>, Term, Term)> {
-        let (subjects, slots) = d.statement.does("lie")?;
-        slot(slots, Slot::At)?;
-        let from = slot(slots, Slot::From)?.clone();
-        Some((subjects.to_vec(), from, slot(slots, Slot::Along)?.clone()))
-    };
-    match (placed(one), placed(other)) {
+fn places_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
+    let (first, second) = (one.declaration, other.declaration);
+    let same = || first.line == second.line && first.text == second.text;
+    match (one.placed, other.placed) {
         (Some(one), Some(other)) => {
-            same && one.0 == other.0 && one.1 == other.1 && one.2 != other.2
+            same()
+                && first.extent == second.extent
+                && one.0 == other.0
+                && one.1 == other.1
+                && one.2 != other.2
         }
         _ => false,
     }
 }
 
-fn measures_otherwise(one: &Declaration, other: &Declaration) -> bool {
-    let (one, other) = (sizes_across(one), sizes_across(other));
-    one.iter().any(|(thing, size, letter)| {
+fn measures_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
+    one.sizes.iter().any(|(thing, size, letter)| {
         let otherwise = |(t, s, l): &(String, &str, String)| t == thing && l == letter && s != size;
-        other.iter().any(otherwise)
+        other.sizes.iter().any(otherwise)
     })
 }
 
@@ -109,9 +142,9 @@ fn sizes_across(declaration: &Declaration) -> Vec<(String, &'static str, String)
     each.collect()
 }
 
-/// Whether two axes of one frame are each said to be the axis of one round body.
-fn has_other_axis(one: &Declaration, other: &Declaration, all: &[Declaration]) -> bool {
-    let axis = |d: &Declaration| match &d.statement {
+/// The axis that is said to be that of a body, and the body.
+fn axis(declaration: &Declaration) -> Option<(String, String)> {
+    match &declaration.statement {
         Statement::Is { subjects, what } if what.head == "axis" => {
             match (subjects.as_slice(), what.slots.as_slice()) {
                 ([axis], [(Slot::Of, body)]) => Some((name_of(axis)?, name_of(body)?)),
@@ -119,8 +152,12 @@ fn has_other_axis(one: &Declaration, other: &Declaration, all: &[Declaration]) -
             }
         }
         _ => None,
-    };
-    let (Some((axis, body)), Some((second, same))) = (axis(one), axis(other)) else {
+    }
+}
+
+/// Whether two axes of one frame are each said to be the axis of one round body.
+fn has_other_axis(one: &Told<'_>, other: &Told<'_>, all: &[Declaration]) -> bool {
+    let (Some((axis, body)), Some((second, same))) = (&one.axis, &other.axis) else {
         return false;
     };
     let named = |subjects: &[Term], name: &String| {
@@ -136,6 +173,6 @@ fn has_other_axis(one: &Declaration, other: &Declaration, all: &[Declaration]) -
     };
     body == same
         && axis != second
-        && all.iter().any(|d| says(d, &["axes"], [&axis, &second]))
-        && all.iter().any(|d| says(d, &ROUND, [&body, &body]))
+        && all.iter().any(|d| says(d, &["axes"], [axis, second]))
+        && all.iter().any(|d| says(d, &ROUND, [body, body]))
 }

@@ -111,10 +111,8 @@ fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
     let turned = |subject: &Term| is_negative(subject) || is_weight(subject);
     let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
     let counted = what.head != "angle" && has_sense(what);
-    // "positive clockwise" says which way something is counted.
-    let how = what.head == "positive" && what.slot(Slot::With).is_some();
     let per_unit = what.head != MASS && is_per_unit(what);
-    with || together || opposite || counted || how || per_unit || has_reversed(&what.slots)
+    with || together || opposite || counted || per_unit || has_reversed(&what.slots)
 }
 
 /// Whether something is done in a way that makes another thing of it.

@@ -256,9 +256,7 @@ impl Builder<'_> {
         lasting: Lasting,
     ) -> Option<Vec<Load>> {
         if load.head == "weight" {
-            let other = |term: &Term| {
-                !term.is_noun("magnitude") && self.body(term) != self.body_of(premise)
-            };
+            let other = |term| self.body(term) != self.body_of(premise);
             if load.slot(Slot::Of).is_some_and(other) {
                 return None;
             }

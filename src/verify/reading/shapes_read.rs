@@ -140,8 +140,11 @@ impl<'a> Builder<'a> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
-        if self.is_rolled_on(body) || self.is_made_otherwise(body) {
-            return self.is_rolled_on(body).then_some(());
+        if self.is_rolled_on(body) {
+            return Some(());
+        }
+        if self.is_made_otherwise(body) {
+            return None;
         }
         if SIDED.contains(&what.head) {
             return self.sided_body(body, what, declaration);
