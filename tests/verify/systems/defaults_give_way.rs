@@ -1,5 +1,6 @@
 //! What is taken by custom gives way to sentences that speak of the same thing, and what a sentence says is not dropped.
 
+use super::scenes::of_particle;
 use super::{judged, verdicts};
 
 #[test]
@@ -133,17 +134,13 @@ $$u = 0$$
 
 #[test]
 fn what_touches_a_body_is_not_all_that_acts_on_it() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-O is a point fixed in N.
-P is a particle of mass $m$.
-P is placed from O by $s z$.
-z is the upward vertical.
+    let sentences = &of_particle(
+        r"z is the upward vertical.
 $g$ is the gravitational acceleration.
 $F$ is the component along z of the reaction on P.
 The weight and the reaction are the only loads on P.
-";
+",
+    );
     let text = r"
 $$m\ddot s = F-mg$$
 
@@ -174,15 +171,11 @@ $$m\ddot s = F$$
 
 #[test]
 fn a_formula_tells_what_a_listed_load_is() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-O is a point fixed in N.
-P is a particle of mass $m$.
-P is placed from O by $s z$.
-The force $m g z$ is the only load on P.
+    let sentences = &of_particle(
+        r"The force $m g z$ is the only load on P.
 $g$ is constant.
-";
+",
+    );
     let text = r"
 $$\ddot s = g$$
 
@@ -193,19 +186,15 @@ $$\ddot s = 0$$
 
 #[test]
 fn the_letter_of_a_listed_load_keeps_what_a_sentence_says_of_it() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-O is a point fixed in N.
-P is a particle of mass $m$.
-P is placed from O by $s z$.
-z is the upward vertical.
+    let sentences = &of_particle(
+        r"z is the upward vertical.
 $g$ is the gravitational acceleration.
 $v$ is the velocity of P relative to N.
 $c$ is constant.
 The drag $D$ and the weight are the only loads on P.
 $D=-c v$.
-";
+",
+    );
     let text = r"
 $$m\dot v = -c v-m g z$$
 
@@ -216,17 +205,13 @@ $$m\dot v = -m g z$$
 
 #[test]
 fn a_letter_for_the_weight_is_the_weight_in_a_list() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-O is a point fixed in N.
-P is a particle of mass $m$.
-P is placed from O by $s z$.
-z is the upward vertical.
+    let sentences = &of_particle(
+        r"z is the upward vertical.
 $g$ is the gravitational acceleration.
 $W$ is the weight of P.
 The weight $W$ is the only load on P.
-";
+",
+    );
     let text = r"
 $$W = -m g z$$
 
@@ -274,15 +259,11 @@ $$\dot H = 0$$
 
 #[test]
 fn up_is_only_where_a_sentence_says_it() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-O is a point fixed in N.
-P is a particle of mass $m$.
-P is placed from O by $s z$.
-$g$ is the gravitational acceleration.
+    let sentences = &of_particle(
+        r"$g$ is the gravitational acceleration.
 The weight is the only load on P.
-";
+",
+    );
     let text = r"
 $$\ddot s = g$$
 
@@ -350,17 +331,13 @@ $$\ddot\theta = -\tfrac{3g}{2l}\cos\theta$$
 
 #[test]
 fn what_is_positive_the_other_way_has_the_other_sign() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-O is a point fixed in N.
-P is a particle of mass $m$.
-P is placed from O by $s z$.
-$v$ is the component along z of the velocity of P relative to N, counted positive towards $-z$.
+    let sentences = &of_particle(
+        r"$v$ is the component along z of the velocity of P relative to N, counted positive towards $-z$.
 $w$ is the angular velocity of B relative to N.
 B turns relative to N about z.
 $\Omega$ is the angular velocity of B relative to N about z, counted positive about $-z$.
-";
+",
+    );
     let text = r"
 $$v = \dot s$$
 
