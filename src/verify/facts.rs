@@ -1,5 +1,6 @@
 //! What holds at a place of a document, and the proofs that follow from it.
 
+mod angles;
 pub(crate) mod candidates;
 pub(crate) mod cases;
 pub(crate) mod images;

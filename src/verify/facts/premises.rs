@@ -288,6 +288,7 @@ impl Facts {
         };
         let solved = Fraction::new(-rest, slope.clone()).ok_or(OutOfBudget)?;
         self.tell(atoms, variable, solved, written, source);
+        self.tell_sines(atoms, variable, source);
         if let Some(square) = atoms.atom(variable).square.clone() {
             let v = Polynomial::variable(variable);
             let relation = Fraction::from(v.clone() * v - square);
@@ -320,7 +321,7 @@ impl Facts {
     }
 
     /// A rule tells a variable from now on.
-    fn tell(
+    pub(super) fn tell(
         &mut self,
         atoms: &Atoms,
         variable: Variable,

@@ -188,7 +188,7 @@ fn parted(sentence: &str, line: usize) -> Result<Vec<Token>, Misread> {
 }
 
 /// Words by which a list of parts of the document goes on.
-const GOES_ON: [&str; 4] = ["and", "or", "but", "except"];
+const GOES_ON: [&str; 7] = ["and", "or", "but", "except", "to", "through", "until"];
 
 /// A sentence that is not understood: of which parts of the document, and of which letters it speaks.
 fn unread(

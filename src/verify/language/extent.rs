@@ -106,7 +106,7 @@ impl Reader<'_> {
                 return self.lines();
             }
             if self.take_any(&["cell", "cells"]) {
-                return Ok(vec![Extent::Cells(self.numbers()?)]);
+                return Ok(vec![Extent::Cells(self.cells()?)]);
             }
             if EQUATIONS.contains(&self.word()) && self.opens(1) {
                 self.at += 1;
@@ -281,15 +281,25 @@ impl Reader<'_> {
         }
     }
 
-    pub(crate) fn numbers(&mut self) -> Read<Vec<usize>> {
-        let mut numbers = vec![self.number()?];
+    /// The numbers of cells: "2 and 3", "0 to 7 and 9".
+    pub(crate) fn cells(&mut self) -> Read<Vec<usize>> {
+        let mut cells = vec![];
         loop {
+            let first = self.number()?;
+            let last = match self.take("to") {
+                true => self.number()?,
+                false => first,
+            };
+            if last < first || last - first >= MOST_EXTENTS {
+                self.at -= 1;
+                return Err(self.error("these cells are none or too many", "say `cells 2 to 5`"));
+            }
+            cells.extend(first..=last);
             let start = self.at;
             if !self.take_separator() || self.kind() != Some(Kind::Number) {
                 self.at = start;
-                return Ok(numbers);
+                return Ok(cells);
             }
-            numbers.push(self.number()?);
         }
     }
 

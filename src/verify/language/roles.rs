@@ -41,7 +41,7 @@ impl Reader<'_> {
             }
             "cell" | "cells" if next == Some(Kind::Number) => {
                 self.at += 1;
-                Ok(Some(vec![Extent::Cells(self.numbers()?)]))
+                Ok(Some(vec![Extent::Cells(self.cells()?)]))
             }
             "equation" | "equations" if next == Some(Kind::Open) => {
                 self.at += 1;

@@ -179,18 +179,7 @@ impl<'a> Builder<'a> {
             },
             None => 2,
         };
-        self.reading.system.bodies[body].round = match (shape.name(), sizes.as_slice()) {
-            ("sphere" | "shell", [radius]) => Some(Round::Sphere {
-                radius: radius.clone(),
-            }),
-            ("disc" | "ring", [radius]) | ("cylinder", [radius, _]) | ("tube", [_, radius, _]) => {
-                Some(Round::Rim {
-                    radius: radius.clone(),
-                    axis,
-                })
-            }
-            _ => None,
-        };
+        self.reading.system.bodies[body].round = roundness(shape.name(), &sizes, axis);
         let tensor = self.tensor_on_work_frame(body, &tensor, axis)?;
         self.reading.system.bodies[body].inertia = Some(tensor);
         Some(())
@@ -371,4 +360,20 @@ fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
             (Slot::With | Slot::From | Slot::To, _) => false,
             _ => true,
         })
+}
+
+/// The surface on which a shape rolls, if it is round.
+fn roundness(shape: &str, sizes: &[Fraction], axis: usize) -> Option<Round> {
+    match (shape, sizes) {
+        ("sphere" | "shell", [radius]) => Some(Round::Sphere {
+            radius: radius.clone(),
+        }),
+        ("disc" | "ring", [radius]) | ("cylinder", [radius, _]) | ("tube", [_, radius, _]) => {
+            Some(Round::Rim {
+                radius: radius.clone(),
+                axis,
+            })
+        }
+        _ => None,
+    }
 }
