@@ -5,6 +5,7 @@
 
 use super::reader::{ARTICLES, COPULAS};
 use super::words::{Kind, Token};
+use foldhash::HashMap;
 use std::sync::LazyLock;
 
 /// The rules that come with the crate.
@@ -46,12 +47,52 @@ struct Rule {
     plain: Vec<Piece>,
     /// Whether it is said of a whole clause, and not of words inside of one.
     whole: bool,
+    /// The words of which one must stand in the sentence, for each place of the pattern that asks for some: by their numbers.
+    asks_for: Vec<Vec<usize>>,
 }
 
-/// The rules, in the order in which they are tried.
-fn rules() -> &'static [Rule] {
-    static READ: LazyLock<Vec<Rule>> = LazyLock::new(|| RULES.lines().filter_map(rule).collect());
+/// The rules, in the order in which they are tried, and the words that they ask for by their numbers.
+struct Rules {
+    all: Vec<Rule>,
+    numbers: HashMap<String, usize>,
+}
+
+fn rules() -> &'static Rules {
+    static READ: LazyLock<Rules> = LazyLock::new(|| {
+        let (mut all, mut numbers) = (vec![], HashMap::default());
+        for mut rule in RULES.lines().filter_map(rule) {
+            for piece in &rule.pattern {
+                let Piece::Words(words) = piece else { continue };
+                let mut alternatives = vec![];
+                for word in words {
+                    let next = numbers.len();
+                    alternatives.push(*numbers.entry(word.clone()).or_insert(next));
+                }
+                rule.asks_for.push(alternatives);
+            }
+            all.push(rule);
+        }
+        Rules { all, numbers }
+    });
     &READ
+}
+
+impl Rules {
+    /// Those of which all words stand in a sentence.
+    fn fitting(&self, tokens: &[Token]) -> impl Iterator<Item = &Rule> {
+        let mut stands = vec![false; self.numbers.len()];
+        for token in tokens {
+            let number = said_word(token).and_then(|word| self.numbers.get(word));
+            if let Some(&number) = number {
+                stands[number] = true;
+            }
+        }
+        let all = self.all.iter();
+        all.filter(move |rule| {
+            let mut asked = rule.asks_for.iter();
+            asked.all(|words| words.iter().any(|&number| stands[number]))
+        })
+    }
 }
 
 /// `pattern => plain ## example`; a rule behind `~` is one of words inside a clause.
@@ -67,6 +108,7 @@ fn rule(line: &str) -> Option<Rule> {
         whole: inside.is_none(),
         pattern: pieces(pattern),
         plain: pieces(plain),
+        asks_for: vec![],
     })
 }
 
@@ -101,7 +143,9 @@ pub(crate) fn plainly(tokens: &[Token]) -> Vec<Token> {
         if tokens.len() > LONGEST {
             break;
         }
-        let applied = rules().iter().filter_map(|rule| rule.applied(&tokens));
+        let applied = rules()
+            .fitting(&tokens)
+            .filter_map(|rule| rule.applied(&tokens));
         let Some(next) = applied
             .into_iter()
             .find(|next| *next != tokens && next.len() <= LONGEST)
@@ -291,11 +335,16 @@ fn said_alike(one: &[Token], other: &[Token]) -> bool {
 
 /// Whether a word, a number or a sign that may be spoken of is one of some words.
 fn is_one_of(token: &Token, words: &[String]) -> bool {
+    said_word(token).is_some_and(|said| words.contains(said))
+}
+
+/// A word, a number or a sign that may be spoken of, as patterns ask for it.
+fn said_word(token: &Token) -> Option<&String> {
     match token.kind {
         // The lower case of a formula is empty, but for that of a sign.
-        Kind::Word | Kind::Formula => words.contains(&token.lower),
-        Kind::Number => words.contains(&token.text),
-        _ => false,
+        Kind::Word | Kind::Formula => Some(&token.lower),
+        Kind::Number => Some(&token.text),
+        _ => None,
     }
 }
 
