@@ -48,6 +48,8 @@ const DISPLAYS: &[&str] = &[
     "displaymath",
     "math",
     "dmath",
+    "numcases",
+    "subnumcases",
     "empheq",
     "IEEEeqnarray",
 ];

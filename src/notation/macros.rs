@@ -2,6 +2,7 @@
 
 mod definition;
 
+use crate::notation::parse::takes_argument;
 use crate::notation::token::{beginning, matching_brace};
 use crate::notation::triads::Triads;
 use crate::source::Span;
@@ -226,6 +227,7 @@ impl Macros {
         // derivative what stands behind it, and half a bracket its other half.
         let reaches_out = body.trim_start().starts_with(['^', '_'])
             || !is_script && self.begins_fraction(&body)
+            || self.ends_asking(&body)
             || !is_whole(&body);
         let closed = if reaches_out {
             format!("{body} ")
@@ -239,6 +241,22 @@ impl Macros {
 }
 
 impl Macros {
+    /// Whether a text ends with a command that asks for what stands behind it, or with a macro that stands for one.
+    fn ends_asking(&self, text: &str) -> bool {
+        let mut text = text.trim_end();
+        for _ in 0..20 {
+            let command = text.rfind('\\').map_or("", |at| &text[at + 1..]);
+            if command.is_empty() || !command.bytes().all(|b| b.is_ascii_alphabetic()) {
+                return false;
+            }
+            match self.defined.get(command) {
+                Some(called) => text = called.body.trim_end(),
+                None => return takes_argument(command),
+            }
+        }
+        false
+    }
+
     /// Whether a text begins with a fraction, or with a macro that stands for one.
     fn begins_fraction(&self, text: &str) -> bool {
         let mut text = text.trim_start();

@@ -32,6 +32,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 
+pub(crate) use letter::takes_argument;
 pub(crate) use number::groups;
 pub(crate) use script::symbol_of;
 pub(crate) use text::is_unit;
@@ -135,7 +136,7 @@ impl<'t, 'a> Parser<'t, 'a> {
     fn unexpected(&self) -> String {
         match self.tokens.get(self.at).map(|t| t.kind) {
             Some(Lexeme::Command(name))
-                if letter::takes_argument(name) || letter::greek(name).is_some() =>
+                if takes_argument(name) || letter::greek(name).is_some() =>
             {
                 format!("\\{name} is not expected here")
             }
@@ -220,9 +221,8 @@ impl<'t, 'a> Parser<'t, 'a> {
                 &self.tokens[start + 1..close]
             }
             // An accent or alphabet command takes its own argument with it: `\frac\pi2`, `\dot\vec L`.
-            Some(Lexeme::Command(name)) if letter::takes_argument(name) => {
-                while matches!(self.peek(), Some(Lexeme::Command(name)) if letter::takes_argument(name))
-                {
+            Some(Lexeme::Command(name)) if takes_argument(name) => {
+                while matches!(self.peek(), Some(Lexeme::Command(name)) if takes_argument(name)) {
                     self.at += 1;
                     self.skip_spaces();
                 }
@@ -254,7 +254,7 @@ impl<'t, 'a> Parser<'t, 'a> {
             match self.peek() {
                 None => break,
                 Some(Lexeme::Command("frac" | "dfrac" | "tfrac")) => missing += 1,
-                Some(Lexeme::Command(name)) if letter::takes_argument(name) => {}
+                Some(Lexeme::Command(name)) if takes_argument(name) => {}
                 Some(Lexeme::Open) => {
                     self.at = closing(self.tokens, self.at).min(self.tokens.len() - 1);
                     missing -= 1;

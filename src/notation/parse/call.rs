@@ -1,5 +1,6 @@
 //! A symbol with a bracket behind it: `R(t)`, `F(\omega)`, `m(a+b)`.
 
+use super::derivative::mark;
 use super::{Parser, split_outside};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::token::Lexeme;
@@ -10,7 +11,7 @@ impl Parser<'_, '_> {
     /// `m(a+b)`, `R(t)`: the reader can't tell a product from a call, so it says that a list stands there. A power
     /// behind the bracket shows that it is a factor of its own.
     pub(super) fn call(&mut self, head: Node, start: usize) -> Node {
-        if self.peek() != Some(Lexeme::Char('(')) {
+        if self.peek() != Some(Lexeme::Char('(')) || self.is_element(&head, start) {
             return head;
         }
         let Some((from, to)) = self.bracket_inside() else {
@@ -54,6 +55,24 @@ impl Parser<'_, '_> {
         node
     }
 }
+
+impl Parser<'_, '_> {
+    /// The m of `dm(a + b)`: the mass of an element is no function.
+    fn is_element(&self, head: &Node, start: usize) -> bool {
+        let of_body =
+            matches!(&head.kind, Kind::Symbol(s) if ["m", "M", "V"].contains(&s.name.as_str()));
+        let behind = |length: usize| {
+            let before = start
+                .checked_sub(length)
+                .and_then(|at| self.tokens.get(at..));
+            before.and_then(mark) == Some((length, false))
+        };
+        of_body && (1..=LONGEST_MARK).any(behind)
+    }
+}
+
+/// The d of an element takes no more tokens.
+const LONGEST_MARK: usize = 6;
 
 /// The Ω of `\Omega(\omega)^2`, which is a matrix.
 fn is_greek_capital(symbol: &Symbol) -> bool {

@@ -19,7 +19,7 @@ pub(super) fn greek(name: &str) -> Option<&'static str> {
 }
 
 /// Whether a command puts something on its argument.
-pub(super) fn takes_argument(name: &str) -> bool {
+pub(crate) fn takes_argument(name: &str) -> bool {
     dots(name).is_some() || mark(name).is_some() || matches!(name, "operatorname" | "mathring")
 }
 

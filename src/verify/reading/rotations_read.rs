@@ -4,14 +4,14 @@ use crate::notation::ast::{Bracket, Function, Kind, Node};
 use crate::verify::language::heads::COMPONENT_ROTATION;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::model::frames::about_vector;
-use crate::verify::model::system::FrameId;
+use crate::verify::model::system::{FrameId, unit};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, letter_of, node_of, reach_of};
 use crate::verify::reading::vectors_read::mark_on;
 use crate::verify::term::letters::{Effect, MarkRule, Meaning, Operator, spelled};
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::Value;
+use crate::verify::term::value::{Basis, Value};
 use num_traits::One;
 
 impl Builder<'_> {
@@ -97,9 +97,16 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let axis = self.operand(phrase.slot(Slot::About)?, declaration)?;
-        let axis = self.system().value_of(&axis).ok()?;
-        let n = axis.to_vector().ok()?;
+        let about = phrase.slot(Slot::About)?;
+        let (n, basis) = match self.number_of_axis(about) {
+            // The axis of a count has no frame: what the matrix is written on is not told.
+            Some(number) if is_count(about) => (unit(number), Basis::Written),
+            _ => {
+                let axis = self.operand(about, declaration)?;
+                let axis = self.system().value_of(&axis).ok()?;
+                (axis.to_vector().ok()?, axis.vector_basis())
+            }
+        };
         let angle = self.scalar_term(phrase.slot(Slot::By)?, declaration)?;
         let (cosine, sine) = self.system().atoms.cosine_sine(&angle)?;
         let one = self.system().atoms.with_squares(&n.dot(&n));
@@ -107,9 +114,15 @@ impl Builder<'_> {
             return None;
         }
         let matrix = about_vector(&n, &cosine, &sine);
-        let basis = [axis.vector_basis(); 2];
-        Some(Quantity::Known(Value::matrix(&matrix, basis)))
+        Some(Quantity::Known(Value::matrix(&matrix, [basis; 2])))
     }
+}
+
+/// "The third axis": one of which no frame is told.
+fn is_count(axis: &Term) -> bool {
+    let counted =
+        |(slot, term): &(Slot, Term)| *slot == Slot::Which && matches!(term, Term::Numbers(_));
+    matches!(axis, Term::Phrase(axis) if axis.slots.iter().all(counted))
 }
 
 /// "`$Q(v)$` is the matrix of the rotation by `$|v|$` about `$v$`": a function of the vector, for any.
