@@ -1,5 +1,6 @@
 //! What is said of letters that mean something else in each of several parts of the document: it is said in each part.
 
+use super::extent::both;
 use super::statement::{Declaration, Extent, Statement, Term};
 use std::collections::HashMap;
 
@@ -12,11 +13,13 @@ pub(crate) fn say_in_parts(declarations: Vec<Declaration>) -> Vec<Declaration> {
     let said = declarations.into_iter();
     let said = said.flat_map(|declaration| match parts_of(&declaration, &parts) {
         Some(parts) => {
-            let in_part = |extent: &Extent| Declaration {
-                extent: extent.clone(),
-                ..declaration.clone()
+            let in_part = |part: &Extent| {
+                Some(Declaration {
+                    extent: common(&declaration.extent, part)?,
+                    ..declaration.clone()
+                })
             };
-            parts.iter().map(in_part).collect()
+            parts.iter().filter_map(in_part).collect()
         }
         None => vec![declaration],
     });
@@ -44,7 +47,7 @@ fn parts_of_letters(declarations: &[Declaration]) -> HashMap<String, Vec<Extent>
     parts
 }
 
-/// The parts of the first letter that a sentence about the whole document speaks of and that has any.
+/// The parts of the first letter of which a sentence speaks and that has any; none where the sentence speaks of one of them.
 fn parts_of<'p>(
     declaration: &Declaration,
     parts: &'p HashMap<String, Vec<Extent>>,
@@ -57,6 +60,29 @@ fn parts_of<'p>(
         Term::Formula(letter) if !subjects.contains(term) => Some(letter),
         _ => None,
     });
-    let whole = declaration.extent == Extent::Document;
-    mentioned.find_map(|letter| parts.get(&letter.source).filter(|_| whole))
+    let parts = mentioned.find_map(|letter| parts.get(&letter.source));
+    parts.filter(|parts| !parts.contains(&declaration.extent))
+}
+
+/// What two parts of the document have in common; `None` where no line is in both.
+fn common(one: &Extent, other: &Extent) -> Option<Extent> {
+    let (Some(own), Some(others)) = (range(one), range(other)) else {
+        return Some(both(one, other));
+    };
+    let (cell, first, last) = own;
+    if cell != others.0 {
+        return Some(both(one, other));
+    }
+    let first = first.max(others.1);
+    let last = [last, others.2].into_iter().flatten().min();
+    let some = last.is_none_or(|last| first <= last);
+    some.then_some(Extent::Lines { cell, first, last })
+}
+
+/// The lines of an extent: the cell, the first one and the last one.
+fn range(extent: &Extent) -> Option<(Option<usize>, usize, Option<usize>)> {
+    match extent {
+        Extent::Lines { cell, first, last } => Some((*cell, *first, *last)),
+        _ => None,
+    }
 }

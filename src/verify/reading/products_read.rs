@@ -3,9 +3,9 @@
 use crate::verify::language::heads::{INERTIA_TENSOR, OTHER_PRODUCTS};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::FrameId;
-use crate::verify::reading::builder::Builder;
+use crate::verify::reading::builder::{Builder, place_in};
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{are_products, told};
+use crate::verify::reading::names::{are_products, reach_of, told};
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::vectors_read::entry_of;
 use crate::verify::term::letters::Meaning;
@@ -18,23 +18,33 @@ const PLACES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 type Named = (Quantity, FrameId, Vec<(usize, usize)>);
 
 impl Builder<'_> {
-    /// Whether products of inertia are integrals, where a sentence says what they are.
-    pub(super) fn products_are_integrals(&self) -> Option<bool> {
-        self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if subjects.iter().any(are_products) => {
-                match what.head {
-                    "integral" => Some(true),
-                    "entry" => Some(false),
-                    _ => None,
+    /// Whether products of inertia are integrals, where a sentence says what they are in the part of the document of which
+    /// another one speaks.
+    fn products_are_integrals(&self, declaration: &Declaration) -> Option<bool> {
+        let at = place_in(&reach_of(&declaration.extent));
+        let told = self.declarations.iter().filter_map(|d| {
+            let reach = reach_of(&d.extent);
+            let integrals = match &d.statement {
+                Statement::Is { subjects, what } if subjects.iter().any(are_products) => {
+                    match what.head {
+                        "integral" => true,
+                        "entry" => false,
+                        _ => return None,
+                    }
                 }
-            }
-            _ => None,
-        })
+                _ => return None,
+            };
+            reach
+                .covers(&at, 0)
+                .then(|| (reach.narrowness(), integrals))
+        });
+        told.max_by_key(|(narrowness, _)| *narrowness)
+            .map(|(_, integrals)| integrals)
     }
 
-    /// Whether a sentence says that products of inertia are integrals: entries are entries where none does.
-    pub(super) fn says_integrals(&self) -> bool {
-        self.products_are_integrals() == Some(true)
+    /// Whether a sentence says that products of inertia are integrals there: entries are entries where none does.
+    pub(super) fn says_integrals(&self, declaration: &Declaration) -> bool {
+        self.products_are_integrals(declaration) == Some(true)
     }
 
     /// "`I_{xy}` is a product of inertia of the body about O on B", where a sentence says what the products are: the labels
@@ -45,7 +55,7 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        if self.products_are_integrals().is_none() {
+        if self.products_are_integrals(declaration).is_none() {
             return;
         }
         if !self.are_labelled_so(subjects, what) {

@@ -166,7 +166,7 @@ impl Builder<'_> {
         // Of an entry that is told in another way nobody knows which one it is.
         let in_order = what.slot(Slot::Which).is_none();
         for (place, formula) in formulas(subjects).enumerate() {
-            if self.read_all_entries(formula, &of, on, declaration) {
+            if self.read_all_entries(formula, &of, on, !in_order, declaration) {
                 continue;
             }
             // By its numbers it is the entry itself; the letters of a tensor follow the convention of signs.
@@ -183,7 +183,7 @@ impl Builder<'_> {
                 self.denote(formula, Meaning::Quantity(entry), declaration);
                 continue;
             }
-            let integral = told.is_none() && self.says_integrals() && is_tensor(&of);
+            let integral = told.is_none() && is_tensor(&of) && self.says_integrals(declaration);
             let quantity = Quantity::Entry {
                 of: of.clone().boxed(),
                 row,
@@ -202,6 +202,7 @@ impl Builder<'_> {
         formula: &Formula,
         of: &Quantity,
         on: FrameId,
+        counted: bool,
         declaration: &Declaration,
     ) -> bool {
         let Some(Kind::Symbol(symbol)) = node_of(formula).map(|node| &node.kind) else {
@@ -216,7 +217,7 @@ impl Builder<'_> {
         if !symbol.subscripts.last().is_some_and(numbers) {
             return false;
         }
-        let integral = self.says_integrals() && is_tensor(of);
+        let integral = !counted && is_tensor(of) && self.says_integrals(declaration);
         for (names, (row, column)) in LABELS
             .iter()
             .flat_map(|names| (0..9).map(move |n| (names, (n / 3, n % 3))))
