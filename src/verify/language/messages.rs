@@ -19,6 +19,7 @@ pub(crate) const EXTRA_HALF: &str = "a factor ½ too many";
 pub(crate) const OTHER_INSTANTS: &str = "values at these instants";
 pub(crate) const NO_NUMBERS: &str = "no numbers were found in which it fails";
 pub(crate) const SQUARES_DIFFER: &str = "the squares of the sides differ";
+pub(crate) const BY_ENTRIES: &str = "a matrix by its entries between brackets";
 pub(crate) const OPEN_RELATION: &str = "this relation is not decided";
 pub(crate) const SMALL_BY_OTHERS: &str = "what is small is told by other letters";
 pub(crate) const LOADS_NOT_LISTED: &str =

@@ -5,6 +5,7 @@ use super::clause::Said;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
+use super::mixed_formulas::joined;
 use super::reorder::{
     axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
     without_brackets, without_ranges,
@@ -13,6 +14,7 @@ use super::rewrite::plainly;
 use super::set_off::{front_behind_subject, fronted, without_commas};
 use super::statement::Misread;
 use super::told_apart::told_apart;
+use super::values_at_which::value_at_which;
 use super::words::Token;
 use std::collections::BTreeSet;
 
@@ -52,6 +54,10 @@ pub(crate) fn understood(
     if tokens.len() > LONGEST_JOINED {
         return Err(first);
     }
+    let whole = joined(tokens);
+    let tokens = whole.as_deref().unwrap_or(tokens);
+    let told = value_at_which(tokens);
+    let tokens = told.as_deref().unwrap_or(tokens);
     let ordered = compounds(&possessives(&axes(tokens), lexicon), lexicon);
     let listed = tell_ends_of_lines(&join_adjectives(&ordered, lexicon));
     let tokens = plainly(&tell_listed_apart(&listed).unwrap_or(listed));

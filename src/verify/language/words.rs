@@ -99,7 +99,9 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
 }
 
 /// Signs of which sentences say how they are read.
-const SIGNS: [&str; 11] = [
+const SIGNS: [&str; 13] = [
+    "=",
+    "+",
     "\\times",
     "\\pm",
     "−",

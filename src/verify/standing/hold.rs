@@ -6,7 +6,7 @@ use crate::verify::facts::premises::OutOfBudget;
 use crate::verify::facts::proof::prove;
 use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
-use crate::verify::standing::indices::{assignments, cyclic_assignments, free_letters};
+use crate::verify::standing::indices::{assignments, by_entries, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::sides::{Both, both, factors};
@@ -236,6 +236,7 @@ impl Judge<'_> {
     /// Both sides of a link, for every axis that its free indices may number.
     pub(super) fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
         let (letters, nodes) = (&self.reading.letters, [&link.left, &link.right]);
+        let by_entries = by_entries(letters, &self.at, link);
         let free = || assignments(&free_letters(letters, &self.at, &nodes));
         let readings = cyclic_assignments(letters, &self.at, &nodes).unwrap_or_else(free);
         let mut all = Sides::default();
@@ -256,6 +257,12 @@ impl Judge<'_> {
                     all.settles = settles.map(|letter| (letter, left, right));
                 }
                 Err(trouble) => {
+                    let trouble = match trouble {
+                        Trouble::IllTyped(_) if by_entries => {
+                            Trouble::Beyond(messages::BY_ENTRIES.into())
+                        }
+                        trouble => trouble,
+                    };
                     if matches!(trouble, Trouble::IllTyped(_)) {
                         all.unknown
                             .retain(|letter| lowering.unknown.get(letter) != Some(&true));

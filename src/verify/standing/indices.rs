@@ -1,6 +1,7 @@
 //! Index letters of a line: those that stand for each axis in turn, and those that are summed over.
 
 use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::standing::chains::Link;
 use crate::verify::term::indices::{axis_letters, with_number};
 use crate::verify::term::letters::{At, Letters, spell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -48,6 +49,13 @@ pub(crate) fn assignments(free: &[String]) -> Vec<BTreeMap<String, usize>> {
             .collect();
     }
     all
+}
+
+/// Whether one side is a matrix by its entries between brackets, `(a_{ij})`, and the other has no index.
+pub(crate) fn by_entries(letters: &Letters, at: &At, link: &Link) -> bool {
+    let indexed = |side: &Node| !free_letters(letters, at, &[side]).is_empty();
+    let bracketed = |side: &Node| matches!(side.kind, Kind::Group(..)) && indexed(side);
+    bracketed(&link.left) && !indexed(&link.right) || bracketed(&link.right) && !indexed(&link.left)
 }
 
 /// Letters of custom for the axes 1, 2, 3, one behind the other.
