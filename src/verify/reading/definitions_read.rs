@@ -64,6 +64,10 @@ pub(crate) fn is_subject(declarations: &[Declaration], letter: &Formula) -> bool
     all.any(|d| d.statement.subjects().iter().any(own))
 }
 
+fn letter_stands_in(letter: &Formula, node: &Node) -> bool {
+    node_of(letter).is_some_and(|letter| stands_in(node, &spelled(letter)))
+}
+
 fn stands_in(node: &Node, writing: &str) -> bool {
     spelled(node) == writing || node.children().any(|child| stands_in(child, writing))
 }
@@ -128,12 +132,27 @@ impl Builder<'_> {
 
     /// Whether a formula has a letter that a line is said to define.
     pub(super) fn has_defined_by_line(&self, node: &Node) -> bool {
-        self.declarations.iter().any(|d| match &d.statement {
+        self.defined_by_lines()
+            .any(|letter| letter_stands_in(letter, node))
+    }
+
+    /// The same of a letter of which no sentence tells even that it is a number.
+    pub(super) fn waits_for_line(&mut self, node: &Node, declaration: &Declaration) -> bool {
+        let letters = self.defined_by_lines();
+        let standing = letters.filter(|letter| letter_stands_in(letter, node));
+        let letters: Vec<Formula> = standing.cloned().collect();
+        letters
+            .iter()
+            .any(|letter| self.quantity_of(letter, declaration).is_none())
+    }
+
+    fn defined_by_lines(&self) -> impl Iterator<Item = &Formula> {
+        self.declarations.iter().filter_map(|d| match &d.statement {
             Statement::Role {
                 role: DeclaredRole::Define(Some(letter)),
                 ..
-            } => node_of(letter).is_some_and(|letter| stands_in(node, &spelled(letter))),
-            _ => false,
+            } => Some(letter),
+            _ => None,
         })
     }
 

@@ -54,6 +54,11 @@ impl Builder<'_> {
         slots: &[(Slot, Term)],
         declaration: &Declaration,
     ) {
+        if verb == "point"
+            && let Some((letter, axis)) = self.axis_along_letter(subjects, slots)
+        {
+            return self.read_pointing(&[letter], &[(Slot::Along, axis)], declaration);
+        }
         match verb {
             "point" if formulas(subjects).count() == subjects.len() => {
                 self.read_pointing(subjects, slots, declaration);
@@ -87,6 +92,21 @@ impl Builder<'_> {
             }
             _ => {}
         }
+    }
+
+    /// "Z points along `$L$`" is said of an axis, and says that the vector points along it.
+    pub(super) fn axis_along_letter(
+        &self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+    ) -> Option<(Term, Term)> {
+        let ([axis @ Term::Name(name)], [(Slot::Along, letter @ Term::Formula(_))]) =
+            (subjects, slots)
+        else {
+            return None;
+        };
+        let named = self.axes.get(name).is_some() && self.body(axis).is_none();
+        named.then(|| (letter.clone(), axis.clone()))
     }
 
     /// Whether things move as points do: they are points, or bodies of which a sentence says that they do not turn.

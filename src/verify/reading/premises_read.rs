@@ -230,7 +230,10 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         };
         // What a line defines is told there, and what it is may be no number.
-        if sides.iter().any(|side| self.has_defined_by_line(side)) {
+        if sides
+            .iter()
+            .any(|side| self.waits_for_line(side, declaration))
+        {
             return self.say_unused(declaration);
         }
         let equal = relations

@@ -82,6 +82,11 @@ impl Builder<'_> {
                 Statement::Does {
                     subjects,
                     verb: "point",
+                    slots,
+                } if self.axis_along_letter(subjects, slots).is_some() => true,
+                Statement::Does {
+                    subjects,
+                    verb: "point",
                     ..
                 } => subjects.iter().all(|subject| {
                     let body = self.body(subject);
