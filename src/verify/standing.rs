@@ -16,6 +16,7 @@ pub(crate) mod indices;
 pub(crate) mod jacobians;
 pub(crate) mod judge;
 pub(crate) mod kept;
+pub(crate) mod matrix_by_relation;
 pub(crate) mod memory;
 pub(crate) mod orders;
 pub(crate) mod parts;

@@ -124,7 +124,34 @@ fn is_text(name: &str) -> bool {
             | "textnormal"
             | "textsf"
             | "textup"
+            | "qq"
     )
+}
+
+/// The word of a command of the package physics that sets it between formulas.
+fn word_between(name: &str) -> Option<&str> {
+    const WORDS: [&str; 16] = [
+        "if",
+        "then",
+        "else",
+        "otherwise",
+        "unless",
+        "given",
+        "using",
+        "assume",
+        "since",
+        "let",
+        "for",
+        "all",
+        "even",
+        "odd",
+        "integer",
+        "and",
+    ];
+    const MORE: [&str; 6] = ["or", "as", "in", "with", "where", "from"];
+    let word = name.strip_prefix('q')?;
+    let known = WORDS.iter().chain(&MORE).any(|known| *known == word);
+    known.then_some(word)
 }
 
 impl<'a> Lexer<'a> {
@@ -206,6 +233,10 @@ impl<'a> Lexer<'a> {
                     }
                     None => self.push(Lexeme::Text(text), start),
                 }
+            }
+            "qc" | "qcomma" => self.push(Lexeme::Char(','), start),
+            _ if word_between(name).is_some() => {
+                self.push(Lexeme::Text(word_between(name).unwrap_or_default()), start);
             }
             _ if is_size(name) => self.sized = Some(start),
             _ if is_silent(name) => {}

@@ -52,6 +52,7 @@ impl<'a> Parser<'_, 'a> {
                 power = Some(exponent);
             }
         }
+        power = power.or_else(|| self.power_between_brackets());
         let argument = self.function_argument();
         let (function, power) = match power {
             Some(exponent) if is_minus_one(&exponent) => (inverse(function), None),
@@ -76,6 +77,24 @@ impl<'a> Parser<'_, 'a> {
             Some(exponent) => self.node(Kind::Power(Box::new(node), Box::new(exponent)), start),
             None => self.scripts(node, start),
         }
+    }
+
+    /// The 2 of `\cos[2](x)`, as the package physics writes it.
+    fn power_between_brackets(&mut self) -> Option<Node> {
+        let next = |ahead: usize| self.tokens.get(self.at + ahead).map(|t| t.kind);
+        let ahead = [next(0), next(1), next(2), next(3)];
+        let [
+            Some(Lexeme::Char('[')),
+            Some(Lexeme::Number(_)),
+            Some(Lexeme::Char(']')),
+            Some(Lexeme::Char('(') | Lexeme::Open),
+        ] = ahead
+        else {
+            return None;
+        };
+        let number = self.inside(&self.tokens[self.at + 1..self.at + 2]).whole();
+        self.at += 3;
+        Some(number)
     }
 
     /// `\sqrt{x}`.

@@ -235,6 +235,9 @@ impl Judge<'_> {
 
     /// Both sides of a link, for every axis that its free indices may number.
     pub(super) fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
+        if let Some(settled) = self.settled_by_relation(link) {
+            return Ok(settled);
+        }
         let (letters, nodes) = (&self.reading.letters, [&link.left, &link.right]);
         let by_entries = by_entries(letters, &self.at, link);
         let free = || assignments(&free_letters(letters, &self.at, &nodes));

@@ -15,7 +15,7 @@ pub(super) struct Both {
 }
 
 /// The letter that a side consists of.
-fn lone(side: &Node) -> Option<String> {
+pub(super) fn lone(side: &Node) -> Option<String> {
     match &side.kind {
         Kind::Symbol(_) => Some(latex(side)),
         Kind::Group(_, inner) => lone(inner),
