@@ -58,28 +58,41 @@ fn behind<'t>(tokens: &'t [Token], words: &[&str]) -> Option<&'t [Token]> {
     tokens.iter().zip(words).all(said).then_some(rest)
 }
 
-/// A formula with something else wherever a letter stands; `None` where it does not stand.
+/// A formula with something else wherever a letter stands; `None` where it does not stand. With a label or a prime behind it
+/// it is another letter.
 fn put_in(formula: &str, letter: &str, value: &str) -> Option<String> {
-    let letter = letter.trim();
-    let mut new = String::new();
-    let (mut rest, mut any) = (formula, false);
-    while let Some(at) = rest.find(letter).filter(|_| !letter.is_empty()) {
-        let (before, from) = rest.split_at(at);
-        let after = &from[letter.len()..];
-        new.push_str(before);
-        // Inside the name of a command, or with a label behind it, it is another letter.
-        let inside = new.ends_with(|c: char| c.is_ascii_alphabetic() || c == '\\')
-            || after.starts_with(|c: char| {
-                c.is_ascii_alphabetic() && letter.starts_with('\\') && !letter.ends_with('}')
-            })
-            || after.starts_with('_');
-        new.push_str(match inside {
-            true => letter,
-            false => value,
-        });
-        any |= !inside;
-        rest = after;
+    let (all, own) = (pieces(formula), pieces(letter.trim()));
+    let (mut new, mut at, mut any) = (String::new(), 0, false);
+    while let Some(piece) = all.get(at) {
+        let behind = all.get(at + own.len());
+        let labelled = behind.is_some_and(|piece| matches!(*piece, "_" | "'"));
+        if !own.is_empty() && all[at..].starts_with(&own) && !labelled {
+            // Between letters no command may run into the next one.
+            new.push_str(&format!(" {value} "));
+            at += own.len();
+            any = true;
+        } else {
+            new.push_str(piece);
+            at += 1;
+        }
     }
-    new.push_str(rest);
     any.then_some(new)
+}
+
+/// A formula as commands and single signs.
+fn pieces(formula: &str) -> Vec<&str> {
+    let (mut rest, mut pieces) = (formula, vec![]);
+    while let Some(first) = rest.chars().next() {
+        let length = match first {
+            '\\' => {
+                let name = rest[1..].bytes().take_while(u8::is_ascii_alphabetic);
+                1 + name.count()
+            }
+            first => first.len_utf8(),
+        };
+        let (piece, behind) = rest.split_at(length);
+        pieces.push(piece);
+        rest = behind;
+    }
+    pieces
 }

@@ -119,3 +119,31 @@ $$ a = -l\sin\theta $$
     let upward = sentences.replace("$j$ is the upward vertical", "$j$ is upward");
     assert_eq!(judged(&upward, text), "ppr");
 }
+
+#[test]
+fn equal_angles_have_equal_sines() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+Z is the third axis of N.
+x, y, z are the axes of B.
+$\phi$, $\theta$, $\psi$ are the Euler angles of B relative to N in the order Z, x, z.
+$\omega_1$, $\omega_2$, $\omega_3$ are the components on B of the angular velocity of B relative to N.
+$\theta_0$ is constant.
+$\theta=\theta_0$.
+$p$ is the rate of $\phi$.
+";
+    let text = r"
+$$ \sin\theta = \sin\theta_0 $$
+$$ \cos 2\theta = \cos 2\theta_0 $$
+$$ \omega_1 = p\sin\theta_0\sin\psi $$
+$$ \omega_2 = p\sin\theta_0\sin\psi $$
+$$ \cos\theta = \sin\theta_0 $$
+";
+    assert_eq!(judged(sentences, text), "ppprr");
+    let sum = sentences.replace(r"$\theta=\theta_0$", r"$\theta=\theta_0+\phi$");
+    let text = r"
+$$ \sin\theta = \sin\theta_0\cos\phi + \cos\theta_0\sin\phi $$
+$$ \sin\theta = \sin\theta_0\cos\phi - \cos\theta_0\sin\phi $$
+";
+    assert_eq!(judged(&sum, text), "pr");
+}

@@ -216,3 +216,27 @@ $$ \alpha = u c x $$
 ";
     assert_eq!(judged(sentences, text), "pu");
 }
+
+#[test]
+fn an_axis_points_along_a_vector() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+X, Y, Z are the axes of N.
+x, y, z are the axes of B.
+O is a point fixed in N and in B.
+The axes of B are principal axes of the body.
+$L$ is the magnitude of $\vec L$.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about O on B.
+$\vec L$ is the angular momentum of the body about O relative to N.
+$\phi$, $\theta$, $\psi$ are the Euler angles of B relative to N in the order z, x, z.
+$\omega_1$, $\omega_2$, $\omega_3$ are the components on B of the angular velocity of B relative to N.
+";
+    let text = r"
+$$ I_1\omega_1 = L\sin\theta\sin\psi $$
+$$ I_3\omega_3 = L\cos\theta $$
+$$ I_3\omega_3 = L\sin\theta $$
+";
+    for along in [r"Z is along $\vec L$.", r"$\vec L$ points along Z."] {
+        assert_eq!(judged(&format!("{sentences}{along}\n"), text), "ppr");
+    }
+}

@@ -239,3 +239,36 @@ $$ R\,{}^{B}\vec v={}^{N}\vec v $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn a_formula_may_have_names_between_its_parts() {
+    let sentences = r"N is an inertial frame.
+i, j, k are the axes of N.
+O is a point fixed in N.
+A is placed from O by $s$ i + $s+c$ j.
+$\vec r$ is the position of A from O.
+n = $\vec r$.
+The colours have no meaning.
+";
+    let text = r"
+$$ \vec r\cdot i = s $$
+$$ \vec r\cdot j = c + s $$
+$$ \vec r\cdot j = c - s $$
+$$ \vec n = \vec r $$
+";
+    assert_eq!(judged(sentences, text), "pprp");
+}
+
+#[test]
+fn a_value_at_which_something_vanishes_makes_it_vanish() {
+    let sentences = r"N is an inertial frame.
+$a$, $b$ and $\Omega$ are constant.
+$b$ is positive.
+$\Omega_1$ is the value of $\Omega$ at which $a - b\Omega$ is zero.
+";
+    let text = r"
+$$ \Omega_1 = \frac{a}{b} $$
+$$ \Omega = \frac{a}{b} $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}

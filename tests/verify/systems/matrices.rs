@@ -186,3 +186,24 @@ $$ \det\begin{bmatrix} w_1 & w_2\\ w_2 & w_1\end{bmatrix} = w_1^2 + w_2^2 $$
 ";
     assert_eq!(judged(sentences, text), "prpr");
 }
+
+#[test]
+fn a_rotation_about_a_counted_axis_is_a_matrix_as_it_is_written() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+$\phi$, $\theta$, $\psi$ are the Euler angles of B relative to N in the order z, x, z.
+$U_1$ is the matrix of the rotation by $\phi$ about the third axis.
+$U_2$ is the matrix of the rotation by $\theta$ about the first axis.
+$U_3$ is the matrix of the rotation by $\psi$ about the third axis.
+A dot means the rate, entry by entry.
+$U$ takes components on B to components on N.
+";
+    let text = r"
+$$ U_2 = \begin{pmatrix} 1 & 0 & 0 \\ 0 & \cos\theta & -\sin\theta \\ 0 & \sin\theta & \cos\theta \end{pmatrix} $$
+$$ U_1 = \begin{pmatrix} \cos\phi & \sin\phi & 0 \\ -\sin\phi & \cos\phi & 0 \\ 0 & 0 & 1 \end{pmatrix} $$
+$$ U_1^T\dot U_1 = \begin{pmatrix} 0 & -\dot\phi & 0 \\ \dot\phi & 0 & 0 \\ 0 & 0 & 0 \end{pmatrix} $$
+$$ U = U_1U_2U_3 $$
+$$ U = U_3U_2U_1 $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+}

@@ -140,3 +140,32 @@ $$ \omega\cdot(J\omega) = A\omega_1^2+D\omega_2^2+C\omega_3^2 $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_convention_of_signs_holds_where_it_is_said() {
+    let sentences = r"N is an inertial frame.
+K is a frame fixed in the body.
+O is a point fixed in N and in K.
+$\vec\omega$ is the angular velocity of the body relative to N.
+$\omega_j$ is the component $j$ of $\vec\omega$ on K.
+On lines 1 to 5 $\vec L$ is the angular momentum of the body about O relative to N.
+On lines 6 to 9 $\vec L$ is the angular momentum of the body about G relative to N.
+G is the mass centre of the body.
+On lines 1 to 5 $\Theta$ is the inertia tensor of the body about O in components on K.
+On lines 6 to 9 $\Theta$ is the inertia tensor of the body about G in components on K.
+On lines 1 to 9 $\Theta_{ij}$ is entry (i, j) of $\Theta$.
+On lines 1 to 9 $L_i$ is the component $i$ of $\vec L$ on K.
+$i$ and $j$ number the axes of K.
+A repeated axis index is summed.
+On lines 20 to 30 products of inertia are integrals.
+";
+    let text = r"
+$$ L_i = \Theta_{ij}\omega_j $$
+$$ L_1 = \Theta_{11}\omega_1 + \Theta_{12}\omega_2 + \Theta_{13}\omega_3 $$
+$$ L_1 = \Theta_{11}\omega_1 - \Theta_{12}\omega_2 - \Theta_{13}\omega_3 $$
+$$ \Theta = (\Theta_{ij}) $$
+
+$$ L_i = \Theta_{ij}\omega_j $$
+";
+    assert_eq!(judged(sentences, text), "pprup");
+}

@@ -271,3 +271,37 @@ $$ v=b\omega\sin\theta\, x $$
     // No numbers are drawn for the sine of an angle that a premise tells.
     assert_eq!(judged(sentences, text), "prpu");
 }
+
+#[test]
+fn a_matrix_is_told_by_what_it_makes_of_any_vector() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+$\psi$, $\theta$, $\phi$ are the Euler angles of B relative to N in the order z, y, x.
+$\cos\theta$ is not zero.
+$\vec\omega$ is the angular velocity of B relative to N in components on B.
+Line 2 defines $\Phi$.
+Line 3 defines $E(\Phi)$.
+";
+    let text = r"
+$$ \Phi = \begin{bmatrix} \phi \\ \theta \\ \psi \end{bmatrix} $$
+$$ \dot\Phi = E(\Phi)\vec\omega $$
+$$ E(\Phi) = \begin{bmatrix} 1 & \tan\theta\sin\phi & \tan\theta\cos\phi \\ 0 & \cos\phi & -\sin\phi \\ 0 & \sin\phi/\cos\theta & \cos\phi/\cos\theta \end{bmatrix} $$
+$$ E(\Phi) = \begin{bmatrix} 1 & \tan\theta\sin\phi & \tan\theta\cos\phi \\ 0 & \cos\phi & \sin\phi \\ 0 & \sin\phi/\cos\theta & \cos\phi/\cos\theta \end{bmatrix} $$
+";
+    assert_eq!(judged(sentences, text), "aapr");
+}
+
+#[test]
+fn a_number_that_a_line_defines_stands_in_sentences() {
+    let sentences = r"N is an inertial frame.
+$\Omega$ and $e_1$ are constant.
+$\rho=\Omega/e_1$.
+Line 2 defines $e_1$.
+";
+    let text = "
+$$ e_1 = 3\\Omega $$
+$$ 3\\rho = 1 $$
+$$ 2\\rho = 1 $$
+";
+    assert_eq!(judged(sentences, text), "apr");
+}
