@@ -61,6 +61,10 @@ fn the_commands_of_the_package_physics_are_read() {
             "(* vec:a · vec:b) = (* vec:a × hat:b)",
         ),
         (r"\dv*{L}{t}", "(d/dt L)"),
+        (
+            r"\cos[2](x) + \sin[2]{x} = 1",
+            "(+ (^ (cos x) 2) (^ (sin x) 2)) = 1",
+        ),
         (r"\pdv{f}{x}{y}", "(partial f x y)"),
         (r"\int_0^t M \dd{t}", "(int M t 0 t)"),
         (r"\frac{\dd L}{\dd t}", "(d/dt L)"),
@@ -236,4 +240,28 @@ fn signs_of_web_pages_are_those_that_they_name() {
 #[test]
 fn an_equals_sign_on_both_sides_of_a_row_break_is_one() {
     each_reads(&[(r"\begin{align} a =& b =\\ =& c \end{align}", "a = b\n= c")]);
+}
+
+#[test]
+fn a_macro_may_stand_for_a_command_that_asks_for_an_argument() {
+    let text = r"\newcommand{\bs}{\boldsymbol}\newcommand{\vc}{\bs}\newcommand{\om}{\omega}
+\[ \bs{L} = J\bs\om \] \[ \vc{L} = \vc r \times \vc{p} \]";
+    assert_eq!(
+        document(text, Format::Latex),
+        "vec:L = (* J vec:omega)\nvec:L = (* vec:r × vec:p)"
+    );
+}
+
+#[test]
+fn cases_with_numbers_are_displays() {
+    let text = r"\begin{subnumcases}{} a = b \label{x} \\ c = d \end{subnumcases}";
+    assert_eq!(document(text, Format::Latex), "a = b\nc = d");
+}
+
+#[test]
+fn the_mass_of_an_element_is_no_function() {
+    each_reads(&[
+        (r"\mathrm{d}m (a + b)", "(* d m (group (+ a b)))"),
+        (r"m (a + b)", "(call m (+ a b))"),
+    ]);
 }

@@ -11,6 +11,9 @@ use crate::verify::term::value::Value;
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
 
+/// Letters before others that make differentials of them.
+const DIFFERENTIALS: [&str; 4] = ["d", "\\mathrm{d}", "\\delta", "\\Delta"];
+
 /// A side that is a product with a letter: what stands before it, the letter, whether it is inverted, the vector behind it.
 struct Applied<'n> {
     scale: Vec<&'n Node>,
@@ -118,9 +121,13 @@ fn applied(side: &Node) -> Option<Applied<'_>> {
         Kind::Power(base, exponent) if is_minus_one(exponent) => (&**base, true),
         _ => (&factors[at].node, false),
     };
+    let name = lone(letter)?;
+    if DIFFERENTIALS.contains(&name.as_str()) {
+        return None;
+    }
     Some(Applied {
         scale: factors[..at].iter().map(|f| &f.node).collect(),
-        letter: (lone(letter)?, letter),
+        letter: (name, letter),
         inverted,
         vector: factors[at + 1].node.clone(),
     })
