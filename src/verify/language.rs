@@ -92,6 +92,7 @@ mod rate_matrices;
 mod reader;
 mod reorder;
 mod rewrite;
+mod rewrite_rules;
 mod rigid_wholes;
 mod roles;
 mod same;

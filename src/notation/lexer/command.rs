@@ -1,6 +1,7 @@
 //! Commands: which of them are tokens, which say nothing, which take a text.
 
 use super::Lexer;
+use super::word::word_between;
 use crate::notation::token::{Lexeme, Token, beginning};
 
 /// Whether a command gives the bracket behind it its size.
@@ -126,32 +127,6 @@ fn is_text(name: &str) -> bool {
             | "textup"
             | "qq"
     )
-}
-
-/// The word of a command of the package physics that sets it between formulas.
-fn word_between(name: &str) -> Option<&str> {
-    const WORDS: [&str; 16] = [
-        "if",
-        "then",
-        "else",
-        "otherwise",
-        "unless",
-        "given",
-        "using",
-        "assume",
-        "since",
-        "let",
-        "for",
-        "all",
-        "even",
-        "odd",
-        "integer",
-        "and",
-    ];
-    const MORE: [&str; 6] = ["or", "as", "in", "with", "where", "from"];
-    let word = name.strip_prefix('q')?;
-    let known = WORDS.iter().chain(&MORE).any(|known| *known == word);
-    known.then_some(word)
 }
 
 impl<'a> Lexer<'a> {

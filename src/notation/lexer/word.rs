@@ -289,3 +289,29 @@ fn run(text: &str, kind: impl Fn(u8) -> bool) -> &str {
     let bytes = text.bytes().take(LONGEST_WORD);
     &text[..bytes.take_while(|b| kind(*b)).count()]
 }
+
+/// The word of a command of the package physics that sets it between formulas.
+pub(super) fn word_between(name: &str) -> Option<&str> {
+    const WORDS: [&str; 16] = [
+        "if",
+        "then",
+        "else",
+        "otherwise",
+        "unless",
+        "given",
+        "using",
+        "assume",
+        "since",
+        "let",
+        "for",
+        "all",
+        "even",
+        "odd",
+        "integer",
+        "and",
+    ];
+    const MORE: [&str; 6] = ["or", "as", "in", "with", "where", "from"];
+    let word = name.strip_prefix('q')?;
+    let known = WORDS.iter().chain(&MORE).any(|known| *known == word);
+    known.then_some(word)
+}

@@ -4,137 +4,14 @@
 //! words, and know nothing of what a sentence means.
 
 use super::reader::{ARTICLES, COPULAS};
+use super::rewrite_rules::{Piece, Rule, rules, said_word};
 use super::words::{Kind, Token};
-use foldhash::HashMap;
-use std::sync::LazyLock;
-
-/// The rules that come with the crate.
-const RULES: &str = include_str!("rewrites.txt");
 
 /// A sentence is rewritten no more often.
 const MOST_TIMES: usize = 24;
 
 /// A longer sentence is not rewritten, and none becomes longer: a rule may say a subject twice.
 const LONGEST: usize = 120;
-
-/// A piece of a pattern, or of what it becomes.
-#[derive(Clone, Debug, PartialEq)]
-enum Piece {
-    /// One of some words.
-    Words(Vec<String>),
-    /// One of some words, or nothing.
-    Maybe(Vec<String>),
-    /// One piece or more, as few as fit.
-    Any(char),
-    /// A list of formulas.
-    Formulas(char),
-    /// One piece.
-    One(char),
-    /// One piece or more without a comma.
-    Clause(char),
-    /// One piece or more that begin with an article or another word that belongs to a noun.
-    Phrase(char),
-    /// A sign.
-    Sign(Kind),
-    /// A formula that is put together from formulas and signs.
-    Built(String),
-}
-
-/// A way to say something, and the plain one.
-#[derive(Clone, Debug)]
-struct Rule {
-    pattern: Vec<Piece>,
-    plain: Vec<Piece>,
-    /// Whether it is said of a whole clause, and not of words inside of one.
-    whole: bool,
-    /// The words of which one must stand in the sentence, for each place of the pattern that asks for some: by their numbers.
-    asks_for: Vec<Vec<usize>>,
-}
-
-/// The rules, in the order in which they are tried, and the words that they ask for by their numbers.
-struct Rules {
-    all: Vec<Rule>,
-    numbers: HashMap<String, usize>,
-}
-
-fn rules() -> &'static Rules {
-    static READ: LazyLock<Rules> = LazyLock::new(|| {
-        let (mut all, mut numbers) = (vec![], HashMap::default());
-        for mut rule in RULES.lines().filter_map(rule) {
-            for piece in &rule.pattern {
-                let Piece::Words(words) = piece else { continue };
-                let mut alternatives = vec![];
-                for word in words {
-                    let next = numbers.len();
-                    alternatives.push(*numbers.entry(word.clone()).or_insert(next));
-                }
-                rule.asks_for.push(alternatives);
-            }
-            all.push(rule);
-        }
-        Rules { all, numbers }
-    });
-    &READ
-}
-
-impl Rules {
-    /// Those of which all words stand in a sentence.
-    fn fitting(&self, tokens: &[Token]) -> impl Iterator<Item = &Rule> {
-        let mut stands = vec![false; self.numbers.len()];
-        for token in tokens {
-            let number = said_word(token).and_then(|word| self.numbers.get(word));
-            if let Some(&number) = number {
-                stands[number] = true;
-            }
-        }
-        let all = self.all.iter();
-        all.filter(move |rule| {
-            let mut asked = rule.asks_for.iter();
-            asked.all(|words| words.iter().any(|&number| stands[number]))
-        })
-    }
-}
-
-/// `pattern => plain ## example`; a rule behind `~` is one of words inside a clause.
-fn rule(line: &str) -> Option<Rule> {
-    let line = line.split("##").next()?.trim();
-    if line.starts_with('#') {
-        return None;
-    }
-    let inside = line.strip_prefix('~');
-    let (pattern, plain) = inside.unwrap_or(line).split_once("=>")?;
-    let pieces = |text: &str| -> Vec<Piece> { text.split_whitespace().map(piece).collect() };
-    Some(Rule {
-        whole: inside.is_none(),
-        pattern: pieces(pattern),
-        plain: pieces(plain),
-        asks_for: vec![],
-    })
-}
-
-fn piece(text: &str) -> Piece {
-    let mut letters = text.chars();
-    match (letters.next(), letters.next()) {
-        (Some(','), None) => return Piece::Sign(Kind::Comma),
-        (Some(';'), None) => return Piece::Sign(Kind::Semicolon),
-        (Some('('), None) => return Piece::Sign(Kind::Open),
-        (Some(')'), None) => return Piece::Sign(Kind::Close),
-        (Some(c @ ('F' | 'G' | 'H')), None) => return Piece::Formulas(c),
-        (Some(c @ ('N' | 'M')), None) => return Piece::Phrase(c),
-        (Some(c @ ('S' | 'U')), None) => return Piece::Clause(c),
-        (Some('V'), None) => return Piece::One('V'),
-        (Some(c), None) if c.is_ascii_uppercase() => return Piece::Any(c),
-        _ => {}
-    }
-    if let Some(built) = text.strip_prefix('[').and_then(|t| t.strip_suffix(']')) {
-        return Piece::Built(built.to_owned());
-    }
-    let words = |text: &str| text.split('|').map(str::to_owned).collect();
-    match text.strip_suffix('?') {
-        Some(text) => Piece::Maybe(words(text)),
-        None => Piece::Words(words(text)),
-    }
-}
 
 /// The sentence in plainer words.
 pub(crate) fn plainly(tokens: &[Token]) -> Vec<Token> {
@@ -338,16 +215,6 @@ fn is_one_of(token: &Token, words: &[String]) -> bool {
     said_word(token).is_some_and(|said| words.contains(said))
 }
 
-/// A word, a number or a sign that may be spoken of, as patterns ask for it.
-fn said_word(token: &Token) -> Option<&String> {
-    match token.kind {
-        // The lower case of a formula is empty, but for that of a sign.
-        Kind::Word | Kind::Formula => Some(&token.lower),
-        Kind::Number => Some(&token.text),
-        _ => None,
-    }
-}
-
 fn begins_phrase(token: &Token) -> bool {
     token.kind == Kind::Word
         && (ARTICLES.contains(&token.lower.as_str()) || token.lower.ends_with("'s"))
@@ -389,6 +256,7 @@ fn formulas(tokens: &[Token]) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use super::super::rewrite_rules::{RULES, rule};
     use super::super::words::tokens;
     use super::*;
 

@@ -163,13 +163,12 @@ impl Builder<'_> {
             return Some(());
         }
         let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
-        // Of an entry that is told in another way nobody knows which one it is.
         let in_order = what.slot(Slot::Which).is_none();
         for (place, formula) in formulas(subjects).enumerate() {
             if self.read_all_entries(formula, &of, on, !in_order, declaration) {
                 continue;
             }
-            // By its numbers it is the entry itself; the letters of a tensor follow the convention of signs.
+            // By its numbers it is the entry itself; letters of a tensor follow the convention of signs.
             let told = numbered.get(place).copied();
             let [row, column] = told
                 .or_else(|| labelled_entry(formula))
