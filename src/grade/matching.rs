@@ -241,6 +241,7 @@ impl<'a> Board<'a> {
             }
         }
         let goals: Vec<Fraction> = goals.iter().map(|goal| goal.residual.clone()).collect();
+        equations.extend(self.apart.by_rule(&goals, &equations));
         let follow = self.apart.follow(&goals, &equations, true)?;
         (follow || whole).then_some(follow)
     }

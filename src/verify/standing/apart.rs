@@ -123,6 +123,7 @@ impl<'a> Apart<'a> {
         reading.system.set_dimensions(3);
         known.work_out(&reading.letters, &mut reading.system);
         self.settle(definitions);
+        self.judge.reading.system.atoms.bring_up_rates();
         let reading = &self.judge.reading;
         self.judge.known.share(&reading.system);
         let uniform = reading.letters.is_uniform();

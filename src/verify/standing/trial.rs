@@ -89,6 +89,13 @@ impl Judge<'_> {
         self.facts.normal(atoms, value.entries.first()?).ok()
     }
 
+    /// Whether a value in free variables is zero by what is told of their squares; `None` where that is not worked out.
+    pub(crate) fn is_nothing(&mut self, value: &Fraction) -> Option<bool> {
+        let atoms = &mut self.reading.system.atoms;
+        let normal = self.facts.normal(atoms, value).ok()?;
+        Some(normal.is_zero())
+    }
+
     fn all_follow(&mut self, line: &Line) -> bool {
         let links = Chain::default().links(&without_number(line), &self.at);
         !links.is_empty() && links.iter().all(|link| self.follows(link))
