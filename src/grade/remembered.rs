@@ -45,12 +45,21 @@ pub(super) struct Parts {
     pub(super) number: usize,
 }
 
-/// Whether a line alone says a component of the key's: by the number of the variables, and by the numbers of both.
+/// What is asked of a line and a component of the key's: by the number of the variables, and by the numbers of both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Asked {
+    pub(super) what: Question,
     pub(super) state: usize,
     pub(super) line: usize,
     pub(super) goal: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Question {
+    /// Whether the line alone says it.
+    Says,
+    /// Whether it can be seen without working it out that it does not, with its rates.
+    IsFar,
 }
 
 impl Remembered {

@@ -96,12 +96,28 @@ fn a_frequency_and_a_period_carry_on_a_wrong_equation_of_motion() {
 }
 
 #[test]
+fn a_period_alone_carries_on_a_wrong_equation_of_motion() {
+    let text =
+        "$$ J\\ddot\\theta=-2 m g l\\sin\\theta $$\n$$ T=2\\pi\\sqrt{\\frac{J}{2 m g l}} $$\n";
+    let graded = marked_by(KEY, text);
+    assert_eq!(
+        outcomes(&graded),
+        ["none", "none", "follow-through"],
+        "{graded:?}"
+    );
+}
+
+#[test]
 fn a_period_carries_on_a_wrong_frequency() {
     let text = format!(
         "{MOTION}$$ \\omega^2=\\frac{{2 m g l}}{{J}} $$\n$$ T=2\\pi\\sqrt{{\\frac{{J}}{{2 m g l}}}} $$\n"
     );
     let graded = marked_by(KEY, &text);
-    assert_eq!(outcomes(&graded), ["full", "none", "follow-through"], "{graded:?}");
+    assert_eq!(
+        outcomes(&graded),
+        ["full", "none", "follow-through"],
+        "{graded:?}"
+    );
 }
 
 #[test]

@@ -8,7 +8,8 @@ use crate::algebra::Fraction;
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Line, Node, Number, Operator, Symbol};
 use crate::source::Span;
 use crate::verify::correction::slips::Change;
-use crate::verify::standing::judge::Judge;
+use crate::verify::standing::judge::{Judge, Judged};
+use crate::verify::standing::trial::Tried;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 
@@ -42,11 +43,11 @@ pub(super) struct Terms<'l> {
 
 impl<'l> Terms<'l> {
     /// Those of a line of two sides that are numbers; `None` where they do not add up to what is left of it.
-    pub(super) fn of(judge: &mut Judge<'_>, line: &'l Line) -> Option<Self> {
+    pub(super) fn of(judge: &mut Judge<'_>, line: &'l Line, judged: &Judged) -> Option<Self> {
         let [left, right] = line.sides.as_slice() else {
             return None;
         };
-        let left_over = judge.left_over(line)?;
+        let left_over = judge.left_over(line, &judged.sides)?;
         let mut found = Self {
             terms: vec![],
             sides: [left, right].map(|side| (side.span, Fraction::zero())),
@@ -115,7 +116,13 @@ impl<'l> Terms<'l> {
         if let Some((node, value)) = term.factor(place) {
             let mut changed = node.clone();
             put(&mut changed, place, change)?;
-            let new = judge.term(&changed)?;
+            let new = match judge.tried(&changed) {
+                Tried::Number(new) => new,
+                // The line would say what a letter is, or set a number beside a vector.
+                Tried::New => return Some(false),
+                Tried::NoNumber if self.has_others(term) => return Some(false),
+                Tried::NoNumber | Tried::Open => return None,
+            };
             let left = term.adds.clone() * new - term.wanted.clone() * value.clone();
             return judge.is_nothing(&left);
         }
@@ -123,6 +130,12 @@ impl<'l> Terms<'l> {
         put(&mut node, place, change)?;
         let adds = signed(judge.term(&node)?, term.negative);
         Some((adds - term.wanted.clone()).is_zero())
+    }
+
+    /// Whether a number stands beside a term, on its side or on the other one.
+    fn has_others(&self, term: &Term<'_>) -> bool {
+        let mut terms = self.terms.iter();
+        terms.any(|other| other.node.span != term.node.span && !other.adds.is_zero())
     }
 
     /// What a term or a side adds, by its bytes.

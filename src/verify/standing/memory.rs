@@ -116,6 +116,13 @@ impl Formula {
         Self::Follows(goals.len(), rates, parts(goals.iter().chain(from)))
     }
 
+    /// Lets go of what it does not need while it is kept.
+    fn shrink(&mut self) {
+        if let Self::Tree(bytes) = self {
+            bytes.shrink_to_fit();
+        }
+    }
+
     fn is_long(&self) -> bool {
         match self {
             Self::Tree(bytes) => bytes.len() > LONGEST,
@@ -212,7 +219,8 @@ impl<V: Clone> Recall<V> {
     }
 
     /// Keeps what was found, which has so many terms.
-    pub(crate) fn keep(&mut self, system: &System, wording: Wording, found: V, terms: usize) {
+    pub(crate) fn keep(&mut self, system: &System, mut wording: Wording, found: V, terms: usize) {
+        wording.of.shrink();
         let Some(now) = self.state(system) else {
             return;
         };
