@@ -7,10 +7,10 @@ use foldhash::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// No more lines are kept.
-const MOST_LINES: usize = 4_000;
+const MOST_LINES: usize = 1_000;
 
 /// No more answers are kept whether a line says what a line of the key does.
-const MOST_ANSWERS: usize = 60_000;
+const MOST_ANSWERS: usize = 15_000;
 
 /// What is kept. All who mark a class share it.
 #[derive(Clone, Debug, Default)]

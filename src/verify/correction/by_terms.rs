@@ -10,8 +10,10 @@ use crate::source::Span;
 use crate::verify::correction::slips::Change;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::trial::Tried;
+use foldhash::HashMap;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use std::cell::RefCell;
 
 /// A term of a side, and what it adds to the difference of the sides.
 struct Term<'l> {
@@ -20,9 +22,12 @@ struct Term<'l> {
     adds: Fraction,
     /// What it would have to add for the line to hold, the others being as they are.
     wanted: Fraction,
-    /// The factors whose product it is, and what each is worth; none where they are not numbers that multiply to it.
-    factors: Vec<(&'l Node, Fraction)>,
+    /// The factors whose product it is; none where they are not all numbers.
+    factors: Vec<Factored<'l>>,
 }
+
+/// A factor of a term, and what it is worth.
+type Factored<'l> = (&'l Node, Fraction);
 
 impl Term<'_> {
     /// The factor that has some bytes, and what it is worth.
@@ -39,6 +44,8 @@ pub(super) struct Terms<'l> {
     sides: [(Span, Fraction); 2],
     /// What is left of the difference of the sides.
     left_over: Fraction,
+    /// What letters come to that were put in so far.
+    letters: RefCell<HashMap<Symbol, Tried>>,
 }
 
 impl<'l> Terms<'l> {
@@ -52,13 +59,16 @@ impl<'l> Terms<'l> {
             terms: vec![],
             sides: [left, right].map(|side| (side.span, Fraction::zero())),
             left_over,
+            letters: RefCell::default(),
         };
         let mut all = Fraction::zero();
         for (at, side) in [left, right].into_iter().enumerate() {
             for (node, negative) in terms(side) {
                 let negative = negative != (at == 1);
-                let value = judge.term(node)?;
-                let factors = factors(judge, node, &value).unwrap_or_default();
+                let (value, factors) = match factors(judge, node) {
+                    Some(found) => found,
+                    None => (judge.term(node)?, vec![]),
+                };
                 let adds = signed(value, negative);
                 all += adds.clone();
                 let whole = &mut found.sides[at].1;
@@ -114,9 +124,7 @@ impl<'l> Terms<'l> {
         change: &Change,
     ) -> Option<bool> {
         if let Some((node, value)) = term.factor(place) {
-            let mut changed = node.clone();
-            put(&mut changed, place, change)?;
-            let new = match judge.tried(&changed) {
+            let new = match self.changed(judge, node, place, change)? {
                 Tried::Number(new) => new,
                 // The line would say what a letter is, or set a number beside a vector.
                 Tried::New => return Some(false),
@@ -124,12 +132,38 @@ impl<'l> Terms<'l> {
                 Tried::NoNumber | Tried::Open => return None,
             };
             let left = term.adds.clone() * new - term.wanted.clone() * value.clone();
-            return judge.is_nothing(&left);
+            return Some(judge.normal(&left)?.is_zero());
         }
         let mut node = term.node.clone();
         put(&mut node, place, change)?;
         let adds = signed(judge.term(&node)?, term.negative);
         Some((adds - term.wanted.clone()).is_zero())
+    }
+
+    /// What a factor comes to with a change; `None` where that is not told by its tree.
+    fn changed(
+        &self,
+        judge: &mut Judge<'_>,
+        node: &Node,
+        place: Span,
+        change: &Change,
+    ) -> Option<Tried> {
+        let lone = match (change, &node.kind) {
+            (Change::Symbol(symbol), Kind::Symbol(_)) => Some(symbol),
+            _ => None,
+        };
+        let known = lone.and_then(|symbol| self.letters.borrow().get(symbol).cloned());
+        if known.is_some() {
+            return known;
+        }
+        let mut changed = node.clone();
+        put(&mut changed, place, change)?;
+        let tried = judge.tried(&changed);
+        if let Some(symbol) = lone {
+            let mut letters = self.letters.borrow_mut();
+            letters.insert(symbol.clone(), tried.clone());
+        }
+        Some(tried)
     }
 
     /// Whether a number stands beside a term, on its side or on the other one.
@@ -155,12 +189,8 @@ fn terms(side: &Node) -> Vec<(&Node, bool)> {
     }
 }
 
-/// The factors of a term that is worth this, if they are numbers whose product that is.
-fn factors<'l>(
-    judge: &mut Judge<'_>,
-    term: &'l Node,
-    value: &Fraction,
-) -> Option<Vec<(&'l Node, Fraction)>> {
+/// What a term is worth, and the factors whose product it is; `None` where they are not all numbers.
+fn factors<'l>(judge: &mut Judge<'_>, term: &'l Node) -> Option<(Fraction, Vec<Factored<'l>>)> {
     // Letters side by side may mean something as a whole, and another one beside them something else.
     if judge.reading.letters.has_phrases() {
         return None;
@@ -173,7 +203,7 @@ fn factors<'l>(
         product = product * own.clone();
         factors.push((node, own));
     }
-    (signed(product, negative) == *value).then_some(factors)
+    Some((judge.normal(&signed(product, negative))?, factors))
 }
 
 /// What is multiplied in a node, and whether a sign stands before it.

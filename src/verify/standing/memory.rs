@@ -12,7 +12,7 @@ use crate::verify::standing::chains::Link;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// How many bytes of one kind are kept, about.
-const MOST_BYTES: usize = 6 << 20;
+const MOST_BYTES: usize = 3 << 19;
 
 /// What a formula and its value take beside their terms, and what each term takes.
 const BYTES: usize = 1_000;

@@ -15,6 +15,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 /// What a term by itself comes to.
+#[derive(Clone, Debug)]
 pub(crate) enum Tried {
     /// A number.
     Number(Fraction),
@@ -112,11 +113,10 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether a value in free variables is zero by what is told of their squares; `None` where that is not worked out.
-    pub(crate) fn is_nothing(&mut self, value: &Fraction) -> Option<bool> {
+    /// A value with what is told put in; `None` where that is not worked out.
+    pub(crate) fn normal(&mut self, value: &Fraction) -> Option<Fraction> {
         let atoms = &mut self.reading.system.atoms;
-        let normal = self.facts.normal(atoms, value).ok()?;
-        Some(normal.is_zero())
+        self.facts.normal(atoms, value).ok()
     }
 
     fn all_follow(&mut self, line: &Line) -> bool {

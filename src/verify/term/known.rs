@@ -19,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 const MOST_PRODUCTS: usize = 1_000;
 
 /// No more are kept for other documents.
-const MOST_COMMON: usize = 8_000;
+const MOST_COMMON: usize = 2_000;
 
 /// The value of a symbol or of a product, and how it was found.
 #[derive(Clone, Debug)]
