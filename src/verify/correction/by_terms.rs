@@ -125,6 +125,10 @@ impl<'l> Terms<'l> {
     ) -> Option<bool> {
         if let Some((node, value)) = term.factor(place) {
             let new = match self.changed(judge, node, place, change)? {
+                // With a dot over what never changes a term is gone, and no dot was lost.
+                Tried::Number(new) if new.is_zero() && *change == Change::Dotted => {
+                    return Some(false);
+                }
                 Tried::Number(new) => new,
                 // The line would say what a letter is, or set a number beside a vector.
                 Tried::New => return Some(false),

@@ -19,6 +19,7 @@ pub(super) struct Slip {
 }
 
 /// What a change to the text of a line does to its tree.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Change {
     /// Another symbol stands in the place of one.
     Symbol(Symbol),
