@@ -24,6 +24,9 @@ enum Form {
 
 const ONE: NonZeroU64 = NonZeroU64::MIN;
 
+/// No larger numbers are looked for whose squares divide another.
+const LARGEST_ROOT: i64 = 100;
+
 impl Rational {
     /// `numerator / denominator`; zero over a zero denominator, as no other number is nearer.
     fn small(numerator: i64, denominator: i64) -> Self {
@@ -125,6 +128,28 @@ impl Rational {
         let (n, d) = (big.numer().sqrt(), big.denom().sqrt());
         (&n * &n == *big.numer() && &d * &d == *big.denom())
             .then(|| Self::from(BigRational::new(n, d)))
+    }
+
+    /// A positive number as the square of one times a whole number that no small square divides: 3/8 is (1/4)² · 6. `None`
+    /// where it is zero or long.
+    pub fn without_square(&self) -> Option<(Self, i64)> {
+        let Form::Small(n, d) = self.0 else {
+            return None;
+        };
+        let d = i64::try_from(d.get()).ok()?;
+        let mut whole = n.checked_mul(d).filter(|whole| *whole > 0)?;
+        let mut root = 1_i64;
+        let squares = (2..=LARGEST_ROOT).map(|root| (root, root * root));
+        for (factor, square) in squares {
+            while whole % square == 0 {
+                (whole, root) = (whole / square, root * factor);
+            }
+        }
+        let rest = Self::from(whole);
+        if let Some(more) = rest.exact_sqrt() {
+            return Some((more * Self::from((root, d)), 1));
+        }
+        Some((Self::from((root, d)), whole))
     }
 
     /// The sum.
@@ -352,5 +377,28 @@ impl fmt::Display for Rational {
 impl fmt::Debug for Rational {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Rational;
+
+    #[test]
+    fn a_number_is_a_square_times_one_that_has_none() {
+        for ((n, d), (root, rest)) in [
+            ((2, 1), ((1, 1), 2)),
+            ((1, 2), ((1, 2), 2)),
+            ((12, 1), ((2, 1), 3)),
+            ((3, 8), ((1, 4), 6)),
+            ((9, 4), ((3, 2), 1)),
+            ((10_403 * 10_403, 1), ((10_403, 1), 1)),
+        ] {
+            let number = Rational::from((n, d));
+            let expected = Some((Rational::from(root), rest));
+            assert_eq!(number.without_square(), expected, "{number}");
+        }
+        assert_eq!(Rational::from(0).without_square(), None);
+        assert_eq!(Rational::from(-4).without_square(), None);
     }
 }

@@ -87,7 +87,7 @@ pub(super) fn replace(path: &Path, text: &str) -> io::Result<()> {
 
 /// The same without waiting for the disk, for what can be made again if the power fails.
 pub(super) fn replace_unsynced(path: &Path, text: &str) -> io::Result<()> {
-    let mut file = begun(path)?;
+    let mut file = begun_again(path)?;
     file.write_all(text.as_bytes())?;
     file.persist(path)?;
     Ok(())
@@ -139,11 +139,38 @@ impl Write for Replacement {
 
 /// A new file beside one whose name it will take.
 fn begun(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = match path.parent() {
+    builder().tempfile_in(folder_of(path))
+}
+
+/// No file system takes longer names.
+const LONGEST_NAME: usize = 255;
+
+/// The same under a name that tells whose place it will take: what a run leaves that is killed, the next one takes away.
+fn begun_again(path: &Path) -> io::Result<NamedTempFile> {
+    let name = path.file_name().and_then(|name| name.to_str());
+    let name = name.map(|name| format!(".{name}.part"));
+    let Some(name) = name.filter(|name| name.len() <= LONGEST_NAME) else {
+        return begun(path);
+    };
+    let folder = folder_of(path);
+    let begin = || -> io::Result<NamedTempFile> {
+        let mut builder: tempfile::Builder<'_, '_> = builder();
+        builder.prefix(&name).rand_bytes(0).tempfile_in(&folder)
+    };
+    match begin() {
+        Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+            fs::remove_file(folder.join(&name))?;
+            begin()
+        }
+        begun => begun,
+    }
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
         Some(parent) if parent != Path::new("") => parent.to_owned(),
         _ => PathBuf::from("."),
-    };
-    builder().tempfile_in(folder)
+    }
 }
 
 #[cfg(unix)]

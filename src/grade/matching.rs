@@ -1,35 +1,21 @@
 //! Which line says what another line says, without any law.
 
-use crate::algebra::{Fraction, Monomial, Variable};
+use crate::algebra::{Fraction, Variable};
 use crate::grade::meaning::{KeyLines, Meaning};
-use crate::grade::remembered::{Asked, Parts, Remembered};
+use crate::grade::remembered::{Asked, Parts, Question, Remembered};
 use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::{Apart, Said};
 use num_traits::{One, Zero};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Two lines with the same head are attempts at one if they share this part of their terms.
-const ALIKE_WITH_HEAD: f64 = 0.25;
+mod part;
 
-/// The same for lines of which one has no head, or another.
-const ALIKE: f64 = 0.6;
+pub(super) use part::Part;
 
 /// Lines of more terms are not kept for the class.
 const MOST_TERMS: usize = 500;
-
-/// One component of a line: this vanishes.
-#[derive(Clone, Debug)]
-pub(super) struct Part {
-    pub(super) residual: Fraction,
-    /// The quantity that the line says something of: a side that is one variable.
-    pub(super) head: Option<Variable>,
-    terms: BTreeSet<Monomial>,
-    variables: Vec<Variable>,
-    /// Its number among those of the key.
-    number: Option<usize>,
-}
 
 /// What a line says, component by component; `None` where that is not worked out.
 #[derive(Clone, Debug)]
@@ -195,16 +181,31 @@ impl<'a> Board<'a> {
 
     /// Whether a line alone says this.
     pub(super) fn says(&mut self, entry: &Entry, goal: &Part) -> bool {
-        let asked = entry.number.zip(goal.number);
-        let asked = asked.and_then(|(line, goal)| {
+        self.answer(Question::Says, entry, goal, |own| own.finds(entry, goal))
+    }
+
+    /// An answer on a line and a component of the key, as it was for another student or is found.
+    fn answer(
+        &mut self,
+        what: Question,
+        entry: &Entry,
+        goal: &Part,
+        find: impl FnOnce(&mut Self) -> bool,
+    ) -> bool {
+        let asked = entry.number.zip(goal.number).and_then(|(line, goal)| {
             let state = self.apart.state()?;
-            Some(Asked { state, line, goal })
+            Some(Asked {
+                what,
+                state,
+                line,
+                goal,
+            })
         });
         if let Some(answer) = asked.and_then(|asked| self.remembered.answer(asked)) {
             return answer;
         }
         let changes = self.apart.changes();
-        let answer = self.finds(entry, goal);
+        let answer = find(self);
         if let Some(asked) = asked.filter(|_| self.apart.changes() == changes) {
             self.remembered.keep_answer(asked, answer);
         }
@@ -241,16 +242,25 @@ impl<'a> Board<'a> {
             }
         }
         let goals: Vec<Fraction> = goals.iter().map(|goal| goal.residual.clone()).collect();
+        let (goals, equations) = self.apart.by_rule(goals, equations);
         let follow = self.apart.follow(&goals, &equations, true)?;
         (follow || whole).then_some(follow)
     }
 
     /// Whether it can be seen without working it out that a line and its rates do not say this.
-    pub(super) fn is_far_from(&self, entry: &Entry, goal: &Part) -> bool {
-        match entry.parts.as_deref() {
-            Some([one]) => self.apart.is_far_from(&one.residual, &goal.residual),
-            _ => false,
-        }
+    pub(super) fn is_far_from(&mut self, entry: &Entry, goal: &Part) -> bool {
+        self.answer(Question::IsFar, entry, goal, |own| {
+            match entry.parts.as_deref() {
+                Some([one]) => own.apart.is_far_from(&one.residual, &goal.residual),
+                _ => false,
+            }
+        })
+    }
+
+    /// Whether a line of the key speaks of a period or a frequency that a rule tells.
+    pub(super) fn is_by_rule(&self, line: usize) -> bool {
+        let mut parts = self.key[line].components().iter();
+        parts.any(|part| self.apart.is_by_rule(&part.residual))
     }
 
     /// What laws say of the quantities of the key, as a line would.
@@ -274,55 +284,6 @@ impl<'a> Board<'a> {
     }
 }
 
-impl Part {
-    fn new(residual: Fraction, head: Option<Variable>) -> Self {
-        let terms = residual.numerator().terms().iter();
-        let terms = terms.map(|(monomial, _)| monomial.clone()).collect();
-        Self {
-            variables: residual.variables(),
-            residual,
-            head,
-            terms,
-            number: None,
-        }
-    }
-
-    /// Whether it is more than what is known anyway.
-    pub(super) fn says_something(&self) -> bool {
-        !self.residual.is_zero()
-    }
-
-    pub(super) fn terms(&self) -> &BTreeSet<Monomial> {
-        &self.terms
-    }
-
-    /// Whether two say the same up to a number.
-    pub(super) fn is_multiple_of(&self, other: &Self) -> bool {
-        let (own, theirs) = (self.residual.numerator(), other.residual.numerator());
-        let (Some((_, a)), Some((_, b))) = (own.terms().first(), theirs.terms().first()) else {
-            return false;
-        };
-        self.terms == other.terms && own.scaled(b) == theirs.scaled(a)
-    }
-
-    pub(super) fn has(&self, variable: Variable) -> bool {
-        self.variables.contains(&variable)
-    }
-
-    pub(super) fn shares_variable(&self, other: &Self) -> bool {
-        self.variables.iter().any(|v| other.variables.contains(v))
-    }
-
-    /// How much two have in common, from 0 to 1, if one may be an attempt at the other.
-    pub(super) fn likeness(&self, other: &Self) -> Option<f64> {
-        let common = self.terms.intersection(&other.terms).count() as f64;
-        let most = self.terms.len().max(other.terms.len()).max(1) as f64;
-        let same_head = self.head.is_some() && self.head == other.head;
-        let least = if same_head { ALIKE_WITH_HEAD } else { ALIKE };
-        (common / most >= least).then_some(common / most)
-    }
-}
-
 /// The entry of a line, if one of the class said the same before; else it is worked out.
 fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
     let wording = apart.wording(said);
@@ -343,7 +304,7 @@ fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
     }
     let changes = apart.changes();
     let mut entry = entry(apart, said);
-    let terms = entry.components().iter().map(|part| part.terms.len());
+    let terms = entry.components().iter().map(|part| part.terms().len());
     let same = apart.changes() == changes && terms.sum::<usize>() <= MOST_TERMS;
     if let Some(wording) = wording.filter(|_| same) {
         entry.number = Some(remembered.keep_line(wording, &entry));
@@ -359,7 +320,10 @@ fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
         let head = [left, right]
             .into_iter()
             .find_map(|side| single(&apart.normal(side)?));
-        Some(Part::new(residual, head))
+        Some(Part {
+            pace: apart.pace_in(&residual),
+            ..Part::new(residual, head)
+        })
     };
     Entry {
         span: said.span,

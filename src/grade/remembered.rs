@@ -7,10 +7,10 @@ use foldhash::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// No more lines are kept.
-const MOST_LINES: usize = 4_000;
+const MOST_LINES: usize = 1_000;
 
 /// No more answers are kept whether a line says what a line of the key does.
-const MOST_ANSWERS: usize = 60_000;
+const MOST_ANSWERS: usize = 15_000;
 
 /// What is kept. All who mark a class share it.
 #[derive(Clone, Debug, Default)]
@@ -45,12 +45,21 @@ pub(super) struct Parts {
     pub(super) number: usize,
 }
 
-/// Whether a line alone says a component of the key's: by the number of the variables, and by the numbers of both.
+/// What is asked of a line and a component of the key's: by the number of the variables, and by the numbers of both.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Asked {
+    pub(super) what: Question,
     pub(super) state: usize,
     pub(super) line: usize,
     pub(super) goal: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Question {
+    /// Whether the line alone says it.
+    Says,
+    /// Whether it can be seen without working it out that it does not, with its rates.
+    IsFar,
 }
 
 impl Remembered {

@@ -16,6 +16,7 @@ pub(crate) mod powers;
 pub(crate) mod rates;
 pub(crate) mod steady;
 pub(crate) mod sums;
+pub(crate) mod swings;
 pub(crate) mod system;
 pub(crate) mod unplaced;
 pub(crate) mod variations;

@@ -107,6 +107,7 @@ use crate::notation::print::latex;
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
+use crate::verify::model::swings::Swing;
 use crate::verify::model::system::System;
 use crate::verify::reading::instants::Instants;
 use crate::verify::reading::unused::Unused;
@@ -180,6 +181,8 @@ pub(crate) struct Sizes {
     pub(crate) changes: Changes,
     /// The letters of the state from which others are small deviations, as they are spelled.
     pub(crate) reference: BTreeSet<String>,
+    /// Letters that small oscillations tell.
+    pub(crate) swings: Vec<Swing>,
 }
 
 /// What is told of first-order changes.

@@ -27,6 +27,7 @@ pub(crate) mod recalled;
 pub(crate) mod roles;
 pub(crate) mod shown;
 pub(crate) mod sides;
+pub(crate) mod swings;
 pub(crate) mod trial;
 pub(crate) mod two_meanings;
 pub(crate) mod unused;

@@ -72,3 +72,61 @@ fn a_period_that_is_upside_down_is_wrong_and_a_frequency_is_no_period() {
         ["full", "full", "none"]
     );
 }
+
+#[test]
+fn a_frequency_and_a_period_carry_on_a_wrong_equation_of_motion() {
+    let wrong = "$$ J\\ddot\\theta=-2 m g l\\sin\\theta $$\n";
+    for (frequency, period) in [
+        (
+            r"\omega^2=\frac{2 m g l}{J}",
+            r"T=2\pi\sqrt{\frac{J}{2 m g l}}",
+        ),
+        (
+            r"\omega=\sqrt{\frac{2 m g l}{J}}",
+            r"T=2\pi\sqrt{\frac{J}{2 m g l}}",
+        ),
+    ] {
+        let text = format!("{wrong}$$ {frequency} $$\n$$ {period} $$\n");
+        let graded = marked_by(KEY, &text);
+        let expected = ["none", "follow-through", "follow-through"];
+        assert_eq!(outcomes(&graded), expected, "{text}: {graded:?}");
+        let slip = graded.first_slip.map(|slip| slip.place.source_line);
+        assert_eq!(slip, Some(1), "{text}");
+    }
+}
+
+#[test]
+fn a_period_alone_carries_on_a_wrong_equation_of_motion() {
+    let text =
+        "$$ J\\ddot\\theta=-2 m g l\\sin\\theta $$\n$$ T=2\\pi\\sqrt{\\frac{J}{2 m g l}} $$\n";
+    let graded = marked_by(KEY, text);
+    assert_eq!(
+        outcomes(&graded),
+        ["none", "none", "follow-through"],
+        "{graded:?}"
+    );
+}
+
+#[test]
+fn a_period_carries_on_a_wrong_frequency() {
+    let text = format!(
+        "{MOTION}$$ \\omega^2=\\frac{{2 m g l}}{{J}} $$\n$$ T=2\\pi\\sqrt{{\\frac{{J}}{{2 m g l}}}} $$\n"
+    );
+    let graded = marked_by(KEY, &text);
+    assert_eq!(
+        outcomes(&graded),
+        ["full", "none", "follow-through"],
+        "{graded:?}"
+    );
+}
+
+#[test]
+fn a_frequency_that_does_not_follow_from_a_wrong_equation_of_motion_earns_nothing() {
+    let wrong = "$$ J\\ddot\\theta=-2 m g l\\sin\\theta $$\n";
+    let text = format!("{wrong}$$ \\omega^2=\\frac{{3 m g l}}{{J}} $$\n");
+    let graded = marked_by(KEY, &text);
+    assert_eq!(outcomes(&graded), ["none"; 3], "{graded:?}");
+    // What is right after all does not follow from what is wrong: a person looks.
+    let text = format!("{wrong}$$ \\omega^2=\\frac{{m g l}}{{J}} $$\n");
+    assert_eq!(outcomes(&marked_by(KEY, &text))[1], "human");
+}

@@ -65,15 +65,32 @@ fn a_run_that_is_killed_loses_nothing_and_goes_on() {
     assert_eq!(grade(cut.path(), &[]).0, 0);
     assert_eq!(results(cut.path()), results(whole.path()));
     assert_eq!(journal(cut.path()), journal(whole.path()));
-    let pages = |folder: &Path| {
-        // A page that was under way when the run was killed never got its name.
-        let files = fs::read_dir(folder.join("out/feedback")).expect("pages");
-        let names = files.map(|file| file.expect("a page").file_name());
-        names
-            .filter(|name| name.to_string_lossy().ends_with(".html"))
-            .count()
-    };
     assert_eq!(pages(cut.path()), pages(whole.path()));
+}
+
+/// The names of all files in the folder of pages.
+fn pages(folder: &Path) -> Vec<std::ffi::OsString> {
+    let files = fs::read_dir(folder.join("out/feedback")).expect("pages");
+    let mut names: Vec<_> = files
+        .map(|file| file.expect("a page").file_name())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_page_that_was_under_way_in_a_killed_run_is_gone_after_the_next_one() {
+    let folder = many(3);
+    let left = folder.path().join("out/feedback/.s001.html.part");
+    fs::create_dir_all(folder.path().join("out/feedback")).expect("made");
+    fs::write(&left, "half a page").expect("written");
+    assert_eq!(grade(folder.path(), &[]).0, 0);
+    assert_eq!(
+        pages(folder.path()),
+        ["s000.html", "s001.html", "s002.html"]
+    );
+    let page = fs::read_to_string(folder.path().join("out/feedback/s001.html"));
+    assert!(page.expect("a page").trim_end().ends_with("</html>"));
 }
 
 #[cfg(unix)]

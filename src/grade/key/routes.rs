@@ -12,6 +12,8 @@ pub(in crate::grade) struct Route {
     pub(in crate::grade) lines: Vec<usize>,
     /// Whether a law is needed besides: that the moment is the rate of the angular momentum.
     pub(in crate::grade) by_law: bool,
+    /// Whether it is by a rule, as a period is: who knows the rule need not have these lines.
+    pub(in crate::grade) by_rule: bool,
 }
 
 /// The lines before a line from which it follows, without a law if it can be, as few and as late as can be.
@@ -21,6 +23,7 @@ pub(super) fn route(board: &mut Board<'_>, line: usize) -> Route {
         return Route {
             lines: without,
             by_law: false,
+            by_rule: board.is_by_rule(line),
         };
     }
     let laws = board.laws();
@@ -30,6 +33,7 @@ pub(super) fn route(board: &mut Board<'_>, line: usize) -> Route {
     };
     Route {
         by_law: !lines.is_empty(),
+        by_rule: board.is_by_rule(line),
         lines,
     }
 }

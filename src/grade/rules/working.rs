@@ -34,7 +34,8 @@ impl Marker<'_> {
             return decision(Outcome::None, Some(line), leap);
         }
         let reason = format!("{} is true", self.name(line));
-        if !self.key.policy.working || self.route(goal.line).is_empty() || self.led_to(goal, line) {
+        let needs = self.key.policy.working && self.needs_working(goal.line);
+        if !needs || self.led_to(goal, line) {
             return full(reason);
         }
         let before = (0..line).any(|at| {
@@ -72,6 +73,14 @@ impl Marker<'_> {
                 new.join(", ")
             )
         })
+    }
+
+    /// Whether lines must lead to a line of the key.
+    fn needs_working(&self, line: usize) -> bool {
+        let routes = &self.key.stages[self.stage].routes;
+        routes
+            .get(line)
+            .is_some_and(|route| !route.lines.is_empty() && !route.by_rule)
     }
 
     pub(super) fn route(&self, line: usize) -> &[usize] {

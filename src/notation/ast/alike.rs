@@ -4,13 +4,26 @@ use super::{FrameLabel, Kind, Node, Number, Style, Symbol};
 
 /// A tree written down without its places, so that others can be found that are like it. No two that differ are written
 /// alike.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Shape(Vec<u8>);
+
+/// Most formulas take no more bytes.
+const USUAL: usize = 512;
+
+impl Default for Shape {
+    fn default() -> Self {
+        Self(Vec::with_capacity(USUAL))
+    }
+}
 
 impl Shape {
     /// Its bytes.
     pub(crate) fn into_bytes(self) -> Vec<u8> {
         self.0
+    }
+
+    pub(crate) fn as_bytes(&self) -> &[u8] {
+        &self.0
     }
 
     pub(crate) fn number(&mut self, number: usize) {

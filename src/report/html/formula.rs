@@ -157,7 +157,7 @@ thread_local! {
 }
 
 /// No more bytes of drawn formulas are kept, and no formula whose source is longer.
-const MOST_BYTES: usize = 4 << 20;
+const MOST_BYTES: usize = 1 << 20;
 const LONGEST_KEPT: usize = 300;
 
 fn drawn(source: &str, mode: DisplayMode) -> Option<String> {

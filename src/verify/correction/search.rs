@@ -100,7 +100,7 @@ fn correction(
     let before = judge.stand_at(&judged.at);
     let mut tried = BTreeSet::new();
     let terms = match is_told_by_tree(document, line) {
-        true => Terms::of(judge, line),
+        true => Terms::of(judge, line, judged),
         false => None,
     };
     let found = slips.find_map(|Slip { edit, change }| {

@@ -19,6 +19,7 @@ pub(super) struct Slip {
 }
 
 /// What a change to the text of a line does to its tree.
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Change {
     /// Another symbol stands in the place of one.
     Symbol(Symbol),
@@ -26,8 +27,12 @@ pub(super) enum Change {
     Dotted,
     /// A symbol stands squared.
     Squared,
-    /// A term or a side, which is the node with these bytes, is multiplied by a number: numerator and denominator.
+    /// Of a power its base is left, and of a rate what has it.
+    Bared,
+    /// The node with these bytes is multiplied by a number: numerator and denominator.
     Times(Span, [i64; 2]),
+    /// None where the nodes with these bytes are numbers.
+    Nothing([Span; 2]),
 }
 
 /// All single changes to a line but for other letters, the likeliest first.
@@ -120,6 +125,14 @@ impl<'a> Slips<'a> {
         }
     }
 
+    /// The slip that was found last puts a two before a node. Before digits it would be one of them.
+    fn twice(&mut self, node: &Node) {
+        let text = self.slice(node).trim_start_matches(['{', '(', ' ']);
+        if !text.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+            self.by(Change::Times(node.span, [2, 1]));
+        }
+    }
+
     fn slice(&self, node: &Node) -> &'a str {
         self.source.slice(node.span)
     }
@@ -156,6 +169,7 @@ impl<'a> Slips<'a> {
             17,
             messages::TWO_MISSING,
         );
+        self.twice(node);
         if last {
             self.push(node.span, format!("-{whole}"), "sign", 13, messages::SIGN);
             self.by(Change::Times(node.span, [-1, 1]));
@@ -168,6 +182,7 @@ impl<'a> Slips<'a> {
             Kind::Negate(inside) => {
                 let text = self.slice(inside);
                 self.push(node.span, text, "sign", 10, messages::SIGN);
+                self.by(Change::Times(node.span, [-1, 1]));
             }
             Kind::Product(factors) => self.product(factors),
             Kind::Symbol(symbol) => self.symbol(node, symbol),
@@ -208,10 +223,12 @@ impl<'a> Slips<'a> {
             self.push(before, half, "factor", 19, messages::HALF_MISSING);
             self.by(Change::Times(term.node.span, [1, 2]));
             self.push(before, "2 ", "factor", 19, messages::TWO_MISSING);
+            self.twice(&term.node);
             if written {
                 let whole = term.sign.to(term.node.span);
                 let message = messages::EXTRA_TERM;
                 self.push(whole, "", "extra-term", 30, message);
+                self.by(Change::Times(term.node.span, [0, 1]));
             }
         }
     }
@@ -229,6 +246,9 @@ impl<'a> Slips<'a> {
             let [a, b] = [first, second].map(|node| self.slice(node).trim());
             let text = format!("{b} {sign} {a}");
             self.push(first.span.to(second.span), text, kind, cost, message);
+            if pair[1].operator == Operator::Juxtaposed {
+                self.by(Change::Nothing([first.span, second.span]));
+            }
         }
     }
 
@@ -258,6 +278,7 @@ impl<'a> Slips<'a> {
             24,
             messages::TRANSPOSE_MISSING,
         );
+        self.by(Change::Nothing([node.span; 2]));
         for index in &symbol.subscripts {
             self.index(node, text, symbol, index);
         }
@@ -296,6 +317,7 @@ impl<'a> Slips<'a> {
             && let Some(text) = undotted(text)
         {
             self.push(node.span, text, "extra-dot", 13, messages::EXTRA_DOT);
+            self.by(Change::Bared);
         }
         for (from, to, kind, message) in [
             ("\\ddot", "\\dot", "extra-dot", messages::EXTRA_DOT),
@@ -311,7 +333,10 @@ impl<'a> Slips<'a> {
     fn power(&mut self, node: &Node, base: &Node, exponent: &Node) {
         let text = self.slice(base);
         match self.slice(exponent).trim_matches(['{', '}', ' ']) {
-            "2" => self.push(node.span, text, "factor", 20, messages::EXTRA_SQUARE),
+            "2" => {
+                self.push(node.span, text, "factor", 20, messages::EXTRA_SQUARE);
+                self.by(Change::Bared);
+            }
             "-1" => self.push(node.span, text, "inverse", 16, messages::EXTRA_INVERSE),
             _ => {}
         }
@@ -343,10 +368,12 @@ impl<'a> Slips<'a> {
         if number > 1 && number.is_multiple_of(2) {
             let half = (number / 2).to_string();
             self.push(node.span, half, "factor", 18, messages::EXTRA_TWO);
+            self.by(Change::Times(node.span, [1, 2]));
         }
         if let Some(double) = number.checked_mul(2).filter(|_| number > 0) {
             let double = double.to_string();
             self.push(node.span, double, "factor", 18, messages::EXTRA_HALF);
+            self.by(Change::Times(node.span, [2, 1]));
         }
     }
 
@@ -354,6 +381,7 @@ impl<'a> Slips<'a> {
         let [above, below] = [top, bottom].map(|node| self.slice(node).trim());
         if above == "1" && below == "2" {
             self.push(node.span, "", "factor", 15, messages::EXTRA_HALF);
+            self.by(Change::Times(node.span, [2, 1]));
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::verify::model::changes::Changes;
 use foldhash::HashMap;
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// What a variable is: equal keys are the same variable.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -127,9 +128,10 @@ pub(crate) struct Atom {
 /// All variables of a document.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Atoms {
-    list: Vec<Atom>,
-    known: HashMap<Key, Variable>,
-    rates: HashMap<Variable, Fraction>,
+    // Many documents begin with the same, and most of them bring up nothing else.
+    list: Arc<Vec<Atom>>,
+    known: Arc<HashMap<Key, Variable>>,
+    rates: Arc<HashMap<Variable, Fraction>>,
     /// Letters that are told to be lengths: of what they are the root.
     pub(super) lengths: Vec<(Fraction, Variable)>,
     /// Letters that are no less than zero because they are lengths.
@@ -172,9 +174,9 @@ impl Atoms {
             return known;
         }
         let variable = self.list.len() as Variable;
-        self.known.insert(key.clone(), variable);
+        Arc::make_mut(&mut self.known).insert(key.clone(), variable);
         self.changes.note(variable);
-        self.list.push(Atom {
+        Arc::make_mut(&mut self.list).push(Atom {
             key,
             place,
             motion,
@@ -202,7 +204,7 @@ impl Atoms {
 
     pub(crate) fn atom_mut(&mut self, variable: Variable) -> &mut Atom {
         self.changes.note(variable);
-        &mut self.list[variable as usize]
+        &mut Arc::make_mut(&mut self.list)[variable as usize]
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -217,13 +219,18 @@ impl Atoms {
     /// Puts these in the place of all from one on, of which they are the first ones, later.
     pub(super) fn replace_from(&mut self, first: usize, added: &[Atom]) {
         let before = self.list.len();
-        self.list.truncate(first);
-        self.list.extend_from_slice(added);
-        for variable in before as Variable..self.list.len() as Variable {
-            let Atom { key, rate_of, .. } = &self.list[variable as usize];
-            self.known.insert(key.clone(), variable);
+        let list = Arc::make_mut(&mut self.list);
+        list.truncate(first);
+        list.extend_from_slice(added);
+        let (known, rates) = (
+            Arc::make_mut(&mut self.known),
+            Arc::make_mut(&mut self.rates),
+        );
+        for variable in before as Variable..list.len() as Variable {
+            let Atom { key, rate_of, .. } = &list[variable as usize];
+            known.insert(key.clone(), variable);
             if let Some(of) = *rate_of {
-                self.rates.insert(of, fraction(variable));
+                rates.insert(of, fraction(variable));
             }
         }
     }
@@ -280,7 +287,7 @@ impl Atoms {
         let rate = self.entered(key, place, Motion::Free);
         self.atom_mut(rate).rate_of = Some(variable);
         self.atom_mut(rate).nature = nature;
-        self.rates.insert(variable, fraction(rate));
+        Arc::make_mut(&mut self.rates).insert(variable, fraction(rate));
         if let Some(Law { name, value }) = law {
             let value = self.derivative(&value);
             self.atom_mut(rate).law = Some(Law { name, value });

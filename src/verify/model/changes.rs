@@ -30,7 +30,20 @@ impl Changes {
 #[derive(Clone, Debug)]
 pub(crate) struct Added(Vec<Atom>);
 
+/// Rates of longer laws are brought up where a document asks for them.
+const MOST_OF_RATED_LAW: usize = 40;
+
 impl Atoms {
+    /// Brings up the rates of all variables, those aside whose laws are long.
+    pub(crate) fn bring_up_rates(&mut self) {
+        for variable in 0..self.len() as Variable {
+            let law = self.atom(variable).law.as_ref();
+            if law.is_none_or(|law| law.value.numerator().len() <= MOST_OF_RATED_LAW) {
+                self.rate(variable);
+            }
+        }
+    }
+
     /// Looks from now on at what changes.
     pub(crate) fn watch(&mut self) {
         self.changes.untouched = None;

@@ -307,10 +307,10 @@ impl Atoms {
         }
         let of = &self.with_squares(of);
         let inside = Fraction::from(of.numerator().clone() * of.denominator().clone());
-        let content = inside.numerator().content().abs();
-        let (outer, rest) = match content.exact_sqrt() {
-            Some(root) if !root.is_one() && !root.is_zero() => {
-                let inverse = Rational::one() / content;
+        // √(x/2) and √(2x) have one variable: no square and no denominator stays below the root.
+        let (outer, rest) = match inside.numerator().content().abs().without_square() {
+            Some((root, _)) if !root.is_one() => {
+                let inverse = Rational::one() / (root.clone() * root.clone());
                 (root, Fraction::from(inside.numerator().scaled(&inverse)))
             }
             _ => (Rational::one(), inside),

@@ -20,8 +20,8 @@ use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
 use crate::verify::term::letters::At;
+use foldhash::HashMap;
 use num_traits::Zero;
-use std::collections::HashMap;
 
 /// Values of more terms are not looked at for what laws say.
 const MOST_OF_LAW: usize = 500;
@@ -123,6 +123,7 @@ impl<'a> Apart<'a> {
         reading.system.set_dimensions(3);
         known.work_out(&reading.letters, &mut reading.system);
         self.settle(definitions);
+        self.judge.reading.system.atoms.bring_up_rates();
         let reading = &self.judge.reading;
         self.judge.known.share(&reading.system);
         let uniform = reading.letters.is_uniform();
@@ -236,7 +237,7 @@ impl<'a> Apart<'a> {
     /// Variables to which one law gives one value are one quantity: the `L_x` of `L` and a letter of its own.
     fn same_quantities(&self) -> Vec<(Fraction, Source)> {
         let atoms = &self.judge.reading.system.atoms;
-        let mut first: HashMap<(&str, &Polynomial, &Polynomial), Variable> = HashMap::new();
+        let mut first: HashMap<(&str, &Polynomial, &Polynomial), Variable> = HashMap::default();
         let mut same = vec![];
         for variable in 0..atoms.len() as Variable {
             let atom = atoms.atom(variable);
@@ -257,7 +258,8 @@ impl<'a> Apart<'a> {
     /// the moment and the rate of the angular momentum; and what one is by others, as that rate by the angular momentum.
     pub(crate) fn laws(&self) -> Vec<Fraction> {
         let system = &self.judge.reading.system;
-        let mut known: HashMap<(Polynomial, Polynomial), Vec<(&str, Variable)>> = HashMap::new();
+        let mut known: HashMap<(Polynomial, Polynomial), Vec<(&str, Variable)>> =
+            HashMap::default();
         let mut laws = vec![];
         for variable in 0..system.atoms.len() as Variable {
             let atom = system.atoms.atom(variable);

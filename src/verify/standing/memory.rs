@@ -12,7 +12,7 @@ use crate::verify::standing::chains::Link;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// How many bytes of one kind are kept, about.
-const MOST_BYTES: usize = 6 << 20;
+const MOST_BYTES: usize = 3 << 19;
 
 /// What a formula and its value take beside their terms, and what each term takes.
 const BYTES: usize = 1_000;
@@ -116,6 +116,13 @@ impl Formula {
         Self::Follows(goals.len(), rates, parts(goals.iter().chain(from)))
     }
 
+    /// Lets go of what it does not need while it is kept.
+    fn shrink(&mut self) {
+        if let Self::Tree(bytes) = self {
+            bytes.shrink_to_fit();
+        }
+    }
+
     fn is_long(&self) -> bool {
         match self {
             Self::Tree(bytes) => bytes.len() > LONGEST,
@@ -212,7 +219,8 @@ impl<V: Clone> Recall<V> {
     }
 
     /// Keeps what was found, which has so many terms.
-    pub(crate) fn keep(&mut self, system: &System, wording: Wording, found: V, terms: usize) {
+    pub(crate) fn keep(&mut self, system: &System, mut wording: Wording, found: V, terms: usize) {
+        wording.of.shrink();
         let Some(now) = self.state(system) else {
             return;
         };

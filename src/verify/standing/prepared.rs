@@ -45,6 +45,9 @@ impl Prepared {
         let premises = self.reading.premises_in_force();
         let atoms = &mut self.reading.system.atoms;
         self.facts.extend_all(atoms, premises);
+        // Documents write rates in an order of their own. What is there before has the same number in all of them, so
+        // that what one of them found holds in the next.
+        atoms.bring_up_rates();
         self.links = Links::of(&self.reading);
     }
 

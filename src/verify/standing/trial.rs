@@ -14,6 +14,19 @@ use num_traits::Zero;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+/// What a term by itself comes to.
+#[derive(Clone, Debug)]
+pub(crate) enum Tried {
+    /// A number.
+    Number(Fraction),
+    /// A vector or a matrix.
+    NoNumber,
+    /// A letter in it is new.
+    New,
+    /// It is not worked out.
+    Open,
+}
+
 impl Judge<'_> {
     /// Goes to a place of the document, with the premises that are in force there. Returns where it was.
     pub(crate) fn stand_at(&mut self, at: &At) -> At {
@@ -58,35 +71,52 @@ impl Judge<'_> {
         }
     }
 
-    /// What is left of the difference of the two sides of a line that are numbers; `None` where that is not worked out, or
-    /// where a letter is new.
-    pub(crate) fn left_over(&mut self, line: &Line) -> Option<Fraction> {
-        if matches!(without_number(line), Cow::Owned(_)) {
-            return None;
-        }
-        let links = Chain::default().links(line, &self.at);
-        let [link] = links.as_slice() else {
+    /// What is left of the difference of the two sides of a line that are worth this, if they are numbers.
+    pub(crate) fn left_over(
+        &mut self,
+        line: &Line,
+        sides: &[(Fraction, Fraction)],
+    ) -> Option<Fraction> {
+        let [(relation, _)] = line.relations.as_slice() else {
             return None;
         };
-        let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
-        if !equal || !self.small_here().is_empty() {
+        let equal = matches!(relation, Relation::Equal | Relation::Defined);
+        let numbered = matches!(without_number(line), Cow::Owned(_));
+        if !equal || numbered || sides.len() != 1 || !self.small_here().is_empty() {
             return None;
         }
-        let worked_out = self.sides(link, &BTreeSet::new()).ok()?;
-        let known = worked_out.unknown.is_empty() && worked_out.sides.len() == 1;
-        let residuals = known.then(|| self.residuals(&worked_out.sides))?;
-        residuals.ok()?.pop()
+        self.residuals(sides).ok()?.pop()
     }
 
     /// A term by itself, in free variables; `None` where it is no number or a letter in it is new.
     pub(crate) fn term(&mut self, node: &Node) -> Option<Fraction> {
-        let mut lowering = self.lowering();
-        let value = lowering.value(node).ok()?;
-        if !lowering.unknown.is_empty() || !value.is_scalar() {
-            return None;
+        match self.tried(node) {
+            Tried::Number(value) => Some(value),
+            Tried::NoNumber | Tried::New | Tried::Open => None,
         }
+    }
+
+    /// What a term by itself comes to, in free variables.
+    pub(crate) fn tried(&mut self, node: &Node) -> Tried {
+        let mut lowering = self.lowering();
+        let Ok(value) = lowering.value(node) else {
+            return Tried::Open;
+        };
+        match value.entries.as_slice() {
+            _ if !lowering.unknown.is_empty() => Tried::New,
+            [entry] if value.is_scalar() => {
+                let atoms = &mut self.reading.system.atoms;
+                let normal = self.facts.normal(atoms, entry);
+                normal.map_or(Tried::Open, Tried::Number)
+            }
+            _ => Tried::NoNumber,
+        }
+    }
+
+    /// A value with what is told put in; `None` where that is not worked out.
+    pub(crate) fn normal(&mut self, value: &Fraction) -> Option<Fraction> {
         let atoms = &mut self.reading.system.atoms;
-        self.facts.normal(atoms, value.entries.first()?).ok()
+        self.facts.normal(atoms, value).ok()
     }
 
     fn all_follow(&mut self, line: &Line) -> bool {

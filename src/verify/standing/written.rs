@@ -123,7 +123,9 @@ pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
             Row::Expression(node) => vec![node],
             Row::Unreadable { .. } => vec![],
         });
-        for (index, bound) in nodes.flat_map(bounds_in) {
+        let mut bounds = vec![];
+        nodes.for_each(|node| collect_bounds(node, &mut bounds));
+        for (index, bound) in bounds {
             let counts = found.entry(index).or_default();
             match counts.iter_mut().find(|(known, _)| *known == bound) {
                 Some((_, times)) => *times += 1,
@@ -142,23 +144,27 @@ pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
 
 /// The index of each sum in a tree that runs up to a letter, and that letter; with where the sum begins, if not at 1.
 pub(super) fn bounds_in(node: &Node) -> Vec<(String, String)> {
-    let own = match &node.kind {
-        Kind::IndexedSum {
-            index,
-            limits: Some((lower, upper)),
-            ..
-        } if matches!(upper.kind, Kind::Symbol(_)) => {
-            let bound = match latex(lower).as_str() {
-                "1" => latex(upper),
-                first => format!("{} from {first}", latex(upper)),
-            };
-            Some((index.name.clone(), bound))
-        }
-        _ => None,
-    };
-    own.into_iter()
-        .chain(node.children().flat_map(bounds_in))
-        .collect()
+    let mut found = vec![];
+    collect_bounds(node, &mut found);
+    found
+}
+
+fn collect_bounds(node: &Node, found: &mut Vec<(String, String)>) {
+    if let Kind::IndexedSum {
+        index,
+        limits: Some((lower, upper)),
+        ..
+    } = &node.kind
+        && matches!(upper.kind, Kind::Symbol(_))
+    {
+        let bound = match latex(lower).as_str() {
+            "1" => latex(upper),
+            first => format!("{} from {first}", latex(upper)),
+        };
+        found.push((index.name.clone(), bound));
+    }
+    node.children()
+        .for_each(|child| collect_bounds(child, found));
 }
 
 /// Whether a display ends with a full stop, delimiters left out: `$$ a = b. $$`.

@@ -1,7 +1,7 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Factor, Kind, Node, Shape as Tree, Symbol};
+use crate::notation::ast::{Factor, Kind, Node, Operator, Shape as Tree, Symbol};
 use crate::recent::Recent;
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
@@ -10,6 +10,7 @@ use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{AT_INSTANT, Shape, Value, Valued, beyond};
 use foldhash::HashMap;
+use num_traits::One;
 use std::collections::BTreeSet;
 use std::collections::HashMap as Map;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -18,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 const MOST_PRODUCTS: usize = 1_000;
 
 /// No more are kept for other documents.
-const MOST_COMMON: usize = 8_000;
+const MOST_COMMON: usize = 2_000;
 
 /// The value of a symbol or of a product, and how it was found.
 #[derive(Clone, Debug)]
@@ -184,33 +185,49 @@ impl Lowering<'_> {
         if !self.means_the_same() || tree.tree(node).is_none() {
             return self.product(factors);
         }
-        let tree = tree.into_bytes();
-        if let Some(known) = self.common_product(&tree) {
+        let tree = tree.as_bytes();
+        if let Some(known) = self.common_product(tree) {
             self.frames_seen.extend(&known.frames);
             return Ok(known.value);
         }
         if !factors.iter().all(|f| self.known.is_scalar(&f.node)) {
             return self.product(factors);
         }
-        if let Some(known) = self.known.products.get(&tree) {
+        if let Some(known) = self.known.products.get(tree) {
             let value = known.value.clone();
             self.frames_seen.extend(&known.frames);
             self.note(known.by_written);
             return Ok(value);
         }
         let before = self.system.atoms.len();
-        let (value, known) = self.by_itself(|own| own.product(factors));
+        let (value, known) = self.by_itself(|own| own.product_of_scalars(factors));
         if let Some(known) = known {
             if self.system.atoms.len() == before {
-                self.keep_in_common(&tree, &known);
+                self.keep_in_common(tree, &known);
             }
             let products = &mut self.known.products;
             if products.len() >= MOST_PRODUCTS {
                 products.clear();
             }
-            products.insert(tree, known);
+            products.insert(tree.to_vec(), known);
         }
         value
+    }
+
+    /// The value of a product of scalars that stand side by side, none of which means something together with another.
+    fn product_of_scalars(&mut self, factors: &[Factor]) -> Valued {
+        let is_plain = !self.letters.has_phrases()
+            && !self.letters.customs.sums_at(self.at)
+            && factors.iter().all(|f| f.operator == Operator::Juxtaposed);
+        let Some((last, before)) = factors.split_last().filter(|_| is_plain) else {
+            return self.product(factors);
+        };
+        let before: Result<Vec<Value>, _> = before.iter().map(|f| self.value(&f.node)).collect();
+        let (before, mut product) = (before?, self.value(&last.node)?);
+        for left in before.iter().rev() {
+            product = product.scaled(left.entries.first().unwrap_or(&Fraction::one()));
+        }
+        Ok(product)
     }
 
     /// The value of a product that another document had.

@@ -173,7 +173,13 @@ impl Lowering<'_> {
             }
             let value = self.value(run[at])?;
             let dyad = match values.last() {
-                Some(left) if self.makes_dyad(run[at - 1], run[at]) => self.dyad(left, &value)?,
+                Some(left)
+                    if left.is_itself()
+                        && value.is_itself()
+                        && self.makes_dyad(run[at - 1], run[at]) =>
+                {
+                    Some(self.dyad(left, &value)?)
+                }
                 _ => None,
             };
             if dyad.is_some() {
@@ -235,13 +241,9 @@ impl Lowering<'_> {
     }
 
     /// a b of two vectors that are no columns of numbers.
-    fn dyad(&mut self, a: &Value, b: &Value) -> Result<Option<Value>, Trouble> {
-        let itself = |v: &Value| v.is_vector() && v.basis[0] == Basis::Itself;
-        if !itself(a) || !itself(b) {
-            return Ok(None);
-        }
+    fn dyad(&mut self, a: &Value, b: &Value) -> Valued {
         let custom = self.custom();
-        Ok(Some(self.system.times(a, &b.transposed(), custom)?))
+        self.system.times(a, &b.transposed(), custom)
     }
 
     /// A sum reaches over the factors behind it that have its index.

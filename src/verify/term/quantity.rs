@@ -11,6 +11,9 @@ use crate::verify::model::system::{
 };
 use crate::verify::term::value::{Basis, Trouble, Value, Valued};
 
+/// The law of what is told by a rule.
+pub(crate) const BY_RULE: &str = "period";
+
 /// A place: a point, or a member of a family.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Spot {
@@ -198,7 +201,7 @@ impl Quantity {
             | Self::On(of, _)
             | Self::Pair(of, ..)
             | Self::Scaled(of, _) => of.law(),
-            Self::ByRule(_) => "period",
+            Self::ByRule(_) => BY_RULE,
             _ => "definition",
         }
     }

@@ -118,6 +118,11 @@ impl Value {
         }
     }
 
+    /// Whether it is a vector and no column of numbers.
+    pub(crate) fn is_itself(&self) -> bool {
+        self.is_vector() && self.basis[0] == Basis::Itself
+    }
+
     /// Entries as a document writes them.
     pub(crate) fn written(rows: usize, columns: usize, entries: Vec<Fraction>) -> Self {
         Self {
