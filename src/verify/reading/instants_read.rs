@@ -1,7 +1,7 @@
 //! What is said of one instant: values of letters then, what is zero or at rest then, and lines that hold then alone.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Relation};
 use crate::notation::document::Row;
 use crate::verify::Role;
 use crate::verify::facts::{START, Source};
@@ -197,7 +197,7 @@ impl Builder<'_> {
         Some(all)
     }
 
-    /// The sides of a formula, one less the next, component by component.
+    /// The sides of an equation, one less the next, component by component.
     fn sides_less(&mut self, formula: &Term, declaration: &Declaration) -> Option<Vec<Fraction>> {
         let Term::Formula(Formula {
             row: Row::Line(line),
@@ -206,6 +206,10 @@ impl Builder<'_> {
         else {
             return None;
         };
+        let equal = |(relation, _): &(Relation, _)| *relation == Relation::Equal;
+        if !line.relations.iter().all(equal) {
+            return None;
+        }
         let sides = line.sides.iter();
         let values = sides.map(|side| self.mentioned_value(&Formula::of(side), declaration));
         let values: Vec<_> = values.collect::<Option<_>>()?;

@@ -214,7 +214,12 @@ impl Builder<'_> {
                 .reading
                 .held
                 .push((lines.clone(), Reach::Section(title))),
-            None => self.say_unused(declaration),
+            // A line that holds at a time or in a case that is not worked with holds in no other line.
+            None => {
+                let then = self.reading.instants.named(declaration.sentence());
+                then.lines.push(lines.clone());
+                self.say_unused(declaration);
+            }
         }
         self.reading
             .roles
