@@ -31,6 +31,7 @@ pub(crate) mod directions_read;
 pub(crate) mod elements_read;
 pub(crate) mod elements_spoken;
 pub(crate) mod ellipsoids_read;
+mod floating_frames;
 pub(crate) mod formulas_read;
 pub(crate) mod frames_read;
 pub(crate) mod incline_read;

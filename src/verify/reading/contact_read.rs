@@ -3,11 +3,15 @@
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
-use crate::verify::model::system::{BodyId, PointId, Vector};
+use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, told};
 use crate::verify::reading::surface_read::surface_and_side;
+use crate::verify::reading::unused_read::MOVING;
 use crate::verify::term::quantity::Spot;
+
+/// Quantities that only what moves has.
+const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
 
 /// A plane that things touch from below.
 const CEILING: &str = "ceiling";
@@ -52,8 +56,7 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
-        let ground = self.reading.system.ground;
-        let frame = told(what.slot(Slot::FixedIn), ground, |t| self.frame(t))?;
+        let frame = self.frame_of_plane(subjects, what)?;
         let normal = match what.slot(Slot::With).cloned() {
             Some(normal) => self.direction(&normal, declaration, Some(frame))?,
             None if what.is("horizontal") => self.upward(),
@@ -73,6 +76,31 @@ impl Builder<'_> {
             });
         }
         Some(())
+    }
+
+    /// The frame that carries a plane: that in which it is fixed, or its own one where it turns. How one moves without
+    /// turning is not worked with.
+    fn frame_of_plane(&self, subjects: &[Term], what: &NounPhrase) -> Option<FrameId> {
+        let ground = self.reading.system.ground;
+        let own = subjects.iter().find_map(|subject| self.frame(subject));
+        let frame = told(what.slot(Slot::FixedIn), own.unwrap_or(ground), |t| {
+            self.frame(t)
+        })?;
+        let moves = |d: &Declaration| match &d.statement {
+            Statement::Does {
+                subjects: things,
+                verb,
+                ..
+            } => {
+                let moves = MOVING.contains(verb) || *verb == "turn" && own.is_none();
+                moves && things.iter().any(|thing| subjects.contains(thing))
+            }
+            Statement::Is { what, .. } if RATES_OF_PLACE.contains(&what.head) => {
+                what.all(Slot::Of).any(|thing| subjects.contains(thing))
+            }
+            _ => false,
+        };
+        (!self.declarations.iter().any(moves)).then_some(frame)
     }
 
     /// The plane that a term names; the only one where none is said.
