@@ -12,7 +12,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{BodyId, FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of, told};
+use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of};
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::zeros_read::ZERO;
 use crate::verify::term::letters::Reach;
@@ -145,41 +145,6 @@ impl Builder<'_> {
         for other in others {
             let masses = self.reading.system.mass(*first) - self.reading.system.mass(*other);
             self.hold(masses, declaration);
-        }
-        Some(())
-    }
-
-    /// The products of inertia vanish on the axes of the frame.
-    fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
-        // At an instant alone they are told of no other.
-        let when = Term::is_condition;
-        if premise.slots.iter().any(|(_, term)| when(term)) {
-            return None;
-        }
-        let of = self.whole_of(premise)?;
-        let about = match premise.slot(Slot::About).or(premise.slot(Slot::At)) {
-            Some(_) => self.about(premise, &of)?,
-            None => self
-                .base_of(&of)
-                .map_or_else(|| self.about(premise, &of), Some)?,
-        };
-        let axes = match premise.slot(Slot::With) {
-            Some(Term::Phrase(axes)) => axes.slot(Slot::Of),
-            _ => None,
-        };
-        let customary = self.reading.letters.component_frame;
-        let frame = told(axes, customary, |t| self.frame(t))?;
-        let tensor = Quantity::Inertia { of, about };
-        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-            let of = tensor.clone().boxed();
-            let entry = Quantity::Entry {
-                of,
-                row,
-                column,
-                on: frame,
-                integral: false,
-            };
-            self.hold_quantities(&entry, &zero(), declaration);
         }
         Some(())
     }
@@ -374,6 +339,6 @@ impl Builder<'_> {
     }
 }
 
-fn zero() -> Quantity {
+pub(super) fn zero() -> Quantity {
     Quantity::Known(Value::scalar(Zero::zero()))
 }
