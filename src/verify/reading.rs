@@ -97,6 +97,7 @@ pub(crate) mod told_twice;
 mod touched;
 mod turn_order;
 pub(crate) mod turns_read;
+mod unbound;
 pub(crate) mod unused;
 pub(crate) mod unused_read;
 mod values_told;

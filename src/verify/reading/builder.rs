@@ -70,8 +70,7 @@ pub(crate) fn build(
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
     builder.reading.letters.written = written;
-    let others = conditional.iter().filter(|d| !is_of_instant(d));
-    others.for_each(|d| builder.say_unused(d));
+    builder.say_conditional(&conditional);
     builder.look_for_blow();
     builder.name_frames();
     builder.name_bodies();
@@ -80,6 +79,7 @@ pub(crate) fn build(
     builder.turn_frames();
     builder.name_vectors_of_members();
     builder.place_points();
+    builder.let_values_change(&conditional);
     builder.finish_bodies();
     builder.place_contacts();
     builder.name_values_at_instants(&conditional);

@@ -10,6 +10,17 @@ use crate::verify::reading::surface_read::surface_and_side;
 use crate::verify::reading::unused_read::MOVING;
 use crate::verify::term::quantity::Spot;
 
+/// Words of where the mass of a body is.
+const OFF_CENTRE: [&str; 7] = [
+    "centre",
+    "center",
+    "consists",
+    "eccentric",
+    "unbalanced",
+    "loaded",
+    "uneven",
+];
+
 /// Quantities that only what moves has.
 const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
 
@@ -216,7 +227,7 @@ impl Builder<'_> {
     ) -> Option<()> {
         let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
         for subject in subjects {
-            let body = self.body(subject)?;
+            let body = self.body(subject).filter(|body| self.is_centred(*body))?;
             let plane = self.plane_under(body, on, declaration)?;
             let at = match slot(slots, Slot::At) {
                 Some(term) => match self.point(term) {
@@ -230,6 +241,30 @@ impl Builder<'_> {
             self.hold_zero(&velocity, declaration);
         }
         Some(())
+    }
+
+    /// Whether no sentence that is not worked with speaks of a body, of its mass centre or of where that is: then it is where
+    /// the body is round about.
+    fn is_centred(&self, body: BodyId) -> bool {
+        let centre = self.centre_of(body);
+        let body = self.reading.system.bodies[body].name.as_str();
+        let named = self.points.iter().filter(|(_, point)| **point == centre);
+        let names: Vec<&str> = named.map(|(name, _)| name.as_str()).collect();
+        let speaks = |d: &Declaration| {
+            let words = d.text.split_whitespace();
+            let words = words.map(|word| word.trim_matches(|c: char| !c.is_alphanumeric()));
+            let words: Vec<&str> = words.collect();
+            let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(word));
+            (has(&names) || has(&[body])) && has(&OFF_CENTRE)
+        };
+        let otherwise = |d: &Declaration| {
+            let placed = d.statement.does("place").or(d.statement.does("lie"));
+            let from = placed.and_then(|(_, slots)| slot(slots, Slot::From));
+            let own = |term: &Term| self.point(term) == Some(centre);
+            let lost = from.is_some_and(|from| self.point(from).is_none());
+            lost && d.statement.subjects().iter().any(own) || d.is_unread() && speaks(d)
+        };
+        !self.declarations.iter().any(otherwise)
     }
 
     /// The point by which a body touches a plane, where no sentence names it.

@@ -42,6 +42,20 @@ impl Builder<'_> {
         }
     }
 
+    /// What has a value at an instant is not constant by custom.
+    pub(super) fn let_values_change(&mut self, declarations: &[Declaration]) {
+        for declaration in declarations.iter().filter(|d| is_of_instant(d)) {
+            for letter in letters_then(&declaration.statement) {
+                if is_number(&letter)
+                    && let Some(value) = self.scalar(&letter, declaration)
+                    && let Some(letter) = value.as_variable()
+                {
+                    self.system().atoms.let_change(letter);
+                }
+            }
+        }
+    }
+
     /// Whether a sentence that holds always says what a letter is.
     fn is_told_otherwise(&self, letter: &Formula) -> bool {
         let writing = node_of(letter).map(spelled);
@@ -329,6 +343,34 @@ fn is_time_relation(written: &str) -> bool {
 fn is_instant(formula: &Formula) -> bool {
     let symbol = node_of(formula).map(|node| &node.kind);
     matches!(symbol, Some(Kind::Symbol(s)) if s.name == "t" && (!s.subscripts.is_empty() || s.primes > 0))
+}
+
+/// The letters of which a statement tells values at an instant.
+fn letters_then(statement: &Statement) -> Vec<Formula> {
+    let formula = |term: &Term| match term {
+        Term::Formula(formula) => Some(formula.clone()),
+        _ => None,
+    };
+    let told: Vec<&Term> = match statement {
+        Statement::Is { subjects, what } if what.head == "zero" => subjects.iter().collect(),
+        Statement::Is { what, .. } if matches!(what.head, VALUE | INITIAL_VALUE) => {
+            what.all(Slot::Of).collect()
+        }
+        Statement::Does {
+            subjects,
+            verb: "hold",
+            ..
+        } => subjects.iter().collect(),
+        _ => vec![],
+    };
+    let first = |formula: Formula| match &formula.row {
+        Row::Line(line) => line.sides.first().map(Formula::of),
+        _ => Some(formula),
+    };
+    told.into_iter()
+        .filter_map(formula)
+        .filter_map(first)
+        .collect::<Vec<_>>()
 }
 
 /// Whether a letter is written as a number is, and not as a vector.

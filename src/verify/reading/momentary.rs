@@ -3,6 +3,8 @@
 use crate::verify::language::heads::{CONSTANT, INSTANT, START_OF_MOTION};
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::builder::Builder;
+use crate::verify::reading::instants_read::is_of_instant;
 use crate::verify::reading::loads_read::AT_REST;
 use crate::verify::reading::names::{POTENTIAL, node_of};
 
@@ -33,6 +35,14 @@ const LASTING: [&str; 5] = [
 
 /// Verbs of where things are and how they move.
 const MOTIONS: [&str; 5] = ["place", "move", "slide", "swing", "fall"];
+
+impl Builder<'_> {
+    /// What holds at a time or under a condition that no relation tells is not worked with.
+    pub(super) fn say_conditional(&mut self, declarations: &[Declaration]) {
+        let others = declarations.iter().filter(|d| !is_of_instant(d));
+        others.for_each(|d| self.say_unused(d));
+    }
+}
 
 /// Whether a sentence holds at one time alone.
 pub(super) fn is_momentary(declaration: &Declaration) -> bool {

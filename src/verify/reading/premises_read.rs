@@ -43,8 +43,11 @@ impl Builder<'_> {
                     // Where a potential energy is zero the energy itself tells.
                     let of_potential = what.slot(Slot::At).is_some()
                         && tells_zero_of_potential(declaration, self.declarations);
+                    // Before and after a blow is not always.
+                    let always = what.slots.is_empty();
                     if !of_potential {
-                        let read = self.read_zeros(subjects, declaration);
+                        let read = always.then(|| self.read_zeros(subjects, declaration));
+                        let read = read.flatten();
                         read.unwrap_or_else(|| self.say_unused(declaration));
                     }
                 }
