@@ -1,6 +1,8 @@
 //! What holds at one time alone, or at one place of a motion, where no relation tells which.
 
-use crate::verify::language::heads::{CONSTANT, INSTANT, START_OF_MOTION};
+use crate::verify::language::heads::{
+    CONSTANT, INSTANT, KINETIC_ENERGY, START_OF_MOTION, TOTAL_ENERGY,
+};
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
@@ -27,8 +29,8 @@ const TIMES: [&str; 6] = [INSTANT, START_OF_MOTION, "time", "impact", "step", "e
 /// Quantities that a thing has at a time, and whose place other words tell.
 const LASTING: [&str; 5] = [
     POTENTIAL,
-    "kinetic energy",
-    "total energy",
+    KINETIC_ENERGY,
+    TOTAL_ENERGY,
     "Lagrangian",
     "momentum",
 ];

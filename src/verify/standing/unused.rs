@@ -1,6 +1,6 @@
 //! Lines that wait for a sentence of which nothing was made.
 
-use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::print::latex;
 use crate::verify::Role;
 use crate::verify::reading::unused::Written;
@@ -31,7 +31,7 @@ impl Judge<'_> {
             || self.unread_of(&sides, &unknown).is_some()
     }
 
-    /// Whether a letter that means something by custom alone stands in formulas, where a sentence of which nothing was made
+    /// Whether a letter that its labels alone make an entry of a tensor stands in formulas, where a sentence of which nothing was made
     /// says what it is.
     fn reads_by_custom(&self, nodes: &[&Node]) -> bool {
         let letters = &self.reading.letters;
@@ -40,7 +40,7 @@ impl Judge<'_> {
             found.is_some() || !self.reading.is_named_in_vain(&latex(node), &self.at)
         };
         nodes.iter().any(|node| match &node.kind {
-            Kind::Symbol(_) => !told(node),
+            Kind::Symbol(symbol) => is_labelled_by_axes(symbol) && !told(node),
             _ => self.reads_by_custom(&node.children().collect::<Vec<_>>()),
         })
     }
@@ -69,4 +69,13 @@ impl Judge<'_> {
 
 fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
     nodes.into_iter().flat_map(letters_and_names).collect()
+}
+
+/// `I_{xy}`: two axes, by which it is an entry where no sentence says what it is.
+fn is_labelled_by_axes(symbol: &Symbol) -> bool {
+    let axes = |label: &String| {
+        let mut letters = label.chars();
+        label.chars().count() == 2 && letters.all(|l| "xyzXYZ123".contains(l))
+    };
+    symbol.subscripts.last().is_some_and(axes)
 }
