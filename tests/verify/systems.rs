@@ -27,6 +27,7 @@ mod long_laws;
 mod matrices;
 mod members;
 mod named_loads;
+mod not_taken_in;
 mod one_of_several;
 mod own_words;
 mod own_writing;
