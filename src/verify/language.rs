@@ -165,3 +165,10 @@ pub(crate) fn only_names(noun: &str) -> bool {
     let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
     entry.is_some_and(lexicon::Entry::only_names)
 }
+
+/// Whether a noun means a quantity.
+pub(crate) fn is_quantity(noun: &str) -> bool {
+    Lexicon::shared()
+        .entry(noun, &[lexicon::Class::Noun])
+        .is_some()
+}

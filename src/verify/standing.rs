@@ -5,6 +5,7 @@ pub(crate) mod between;
 pub(crate) mod braces;
 pub(crate) mod chains;
 pub(crate) mod deny;
+mod each_member;
 pub(crate) mod either;
 pub(crate) mod extents;
 pub(crate) mod fewer;

@@ -1,6 +1,7 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
 mod angles;
+mod at_one_time;
 mod at_zero;
 mod between_instants;
 mod blows;
@@ -9,6 +10,7 @@ mod chains;
 mod changes;
 mod counted;
 mod defaults_give_way;
+mod frames_that_move;
 mod free_wording;
 mod idle_words;
 mod incline;
@@ -25,6 +27,8 @@ mod long_laws;
 mod matrices;
 mod members;
 mod named_loads;
+mod not_taken_in;
+mod one_of_several;
 mod own_words;
 mod own_writing;
 mod parts;

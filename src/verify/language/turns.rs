@@ -129,6 +129,9 @@ const MOTIONS: [(&str, &str, &[Slot]); 2] = [
     ("moving", "move", &OF_MOVES),
 ];
 
+/// What moves besides bodies.
+const MOVED: [&str; 2] = ["frame", "plane"];
+
 /// "The disc is a body that turns about z": the disc turns.
 pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
     tell_vector_rates(declarations);
@@ -139,7 +142,8 @@ pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
         };
         as_described_body(what);
         let motion = MOTIONS.into_iter().find(|(said, ..)| what.is(said));
-        let Some((adjective, verb, slots)) = motion.filter(|_| is_body(what.head)) else {
+        let moves = is_body(what.head) || MOVED.contains(&what.head);
+        let Some((adjective, verb, slots)) = motion.filter(|_| moves) else {
             return vec![];
         };
         what.adjectives.retain(|a| *a != adjective);

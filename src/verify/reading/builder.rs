@@ -13,6 +13,7 @@ use crate::verify::reading::elements_read::with_elements;
 use crate::verify::reading::instants_read::{instant_of, is_of_instant};
 use crate::verify::reading::loads_read::acting_force;
 use crate::verify::reading::misheard::heard;
+use crate::verify::reading::momentary::is_momentary;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
 use crate::verify::reading::operators_read::if_rates_are_told_apart;
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
@@ -61,7 +62,7 @@ pub(crate) fn build(
         .into_iter()
         .map(|d| if_rates_are_told_apart(d, declarations))
         .partition(|d| {
-            let then = has_condition(d) || is_of_instant(d);
+            let then = has_condition(d) || is_of_instant(d) || is_momentary(d);
             let at_blow = tells_letter_at_blow(d);
             then && !at_blow && !tells_zero_of_potential(d, declarations) || denies(d)
         });
@@ -69,8 +70,7 @@ pub(crate) fn build(
     builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
     builder.reading.letters.written = written;
-    let others = conditional.iter().filter(|d| !is_of_instant(d));
-    others.for_each(|d| builder.say_unused(d));
+    builder.say_conditional(&conditional);
     builder.look_for_blow();
     builder.name_frames();
     builder.name_bodies();
@@ -79,6 +79,7 @@ pub(crate) fn build(
     builder.turn_frames();
     builder.name_vectors_of_members();
     builder.place_points();
+    builder.let_values_change(&conditional);
     builder.finish_bodies();
     builder.place_contacts();
     builder.name_values_at_instants(&conditional);

@@ -3,11 +3,26 @@
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
-use crate::verify::model::system::{BodyId, PointId, Vector};
+use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, told};
 use crate::verify::reading::surface_read::surface_and_side;
+use crate::verify::reading::unused_read::MOVING;
 use crate::verify::term::quantity::Spot;
+
+/// Words of where the mass of a body is.
+const OFF_CENTRE: [&str; 7] = [
+    "centre",
+    "center",
+    "consists",
+    "eccentric",
+    "unbalanced",
+    "loaded",
+    "uneven",
+];
+
+/// Quantities that only what moves has.
+const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
 
 /// A plane that things touch from below.
 const CEILING: &str = "ceiling";
@@ -52,8 +67,7 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
-        let ground = self.reading.system.ground;
-        let frame = told(what.slot(Slot::FixedIn), ground, |t| self.frame(t))?;
+        let frame = self.frame_of_plane(subjects, what)?;
         let normal = match what.slot(Slot::With).cloned() {
             Some(normal) => self.direction(&normal, declaration, Some(frame))?,
             None if what.is("horizontal") => self.upward(),
@@ -73,6 +87,31 @@ impl Builder<'_> {
             });
         }
         Some(())
+    }
+
+    /// The frame that carries a plane: that in which it is fixed, or its own one where it turns. How one moves without
+    /// turning is not worked with.
+    fn frame_of_plane(&self, subjects: &[Term], what: &NounPhrase) -> Option<FrameId> {
+        let ground = self.reading.system.ground;
+        let own = subjects.iter().find_map(|subject| self.frame(subject));
+        let frame = told(what.slot(Slot::FixedIn), own.unwrap_or(ground), |t| {
+            self.frame(t)
+        })?;
+        let moves = |d: &Declaration| match &d.statement {
+            Statement::Does {
+                subjects: things,
+                verb,
+                ..
+            } => {
+                let moves = MOVING.contains(verb) || *verb == "turn" && own.is_none();
+                moves && things.iter().any(|thing| subjects.contains(thing))
+            }
+            Statement::Is { what, .. } if RATES_OF_PLACE.contains(&what.head) => {
+                what.all(Slot::Of).any(|thing| subjects.contains(thing))
+            }
+            _ => false,
+        };
+        (!self.declarations.iter().any(moves)).then_some(frame)
     }
 
     /// The plane that a term names; the only one where none is said.
@@ -188,7 +227,7 @@ impl Builder<'_> {
     ) -> Option<()> {
         let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
         for subject in subjects {
-            let body = self.body(subject)?;
+            let body = self.body(subject).filter(|body| self.is_centred(*body))?;
             let plane = self.plane_under(body, on, declaration)?;
             let at = match slot(slots, Slot::At) {
                 Some(term) => match self.point(term) {
@@ -202,6 +241,30 @@ impl Builder<'_> {
             self.hold_zero(&velocity, declaration);
         }
         Some(())
+    }
+
+    /// Whether no sentence that is not worked with speaks of a body, of its mass centre or of where that is: then it is where
+    /// the body is round about.
+    fn is_centred(&self, body: BodyId) -> bool {
+        let centre = self.centre_of(body);
+        let body = self.reading.system.bodies[body].name.as_str();
+        let named = self.points.iter().filter(|(_, point)| **point == centre);
+        let names: Vec<&str> = named.map(|(name, _)| name.as_str()).collect();
+        let speaks = |d: &Declaration| {
+            let words = d.text.split_whitespace();
+            let words = words.map(|word| word.trim_matches(|c: char| !c.is_alphanumeric()));
+            let words: Vec<&str> = words.collect();
+            let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(word));
+            (has(&names) || has(&[body])) && has(&OFF_CENTRE)
+        };
+        let otherwise = |d: &Declaration| {
+            let placed = d.statement.does("place").or(d.statement.does("lie"));
+            let from = placed.and_then(|(_, slots)| slot(slots, Slot::From));
+            let own = |term: &Term| self.point(term) == Some(centre);
+            let lost = from.is_some_and(|from| self.point(from).is_none());
+            lost && d.statement.subjects().iter().any(own) || d.is_unread() && speaks(d)
+        };
+        !self.declarations.iter().any(otherwise)
     }
 
     /// The point by which a body touches a plane, where no sentence names it.

@@ -56,7 +56,7 @@ fn vertical(declaration: &Declaration) -> Option<(String, &'static str)> {
 struct Told<'d> {
     declaration: &'d Declaration,
     /// What is placed, from where and along what.
-    placed: Option<(&'d [Term], &'d Term, &'d Term)>,
+    placed: Option<(&'d [Term], Option<&'d Term>, &'d Term)>,
     sizes: Vec<(String, &'static str, String)>,
     /// The axis of a body, by their names.
     axis: Option<(String, String)>,
@@ -77,14 +77,10 @@ impl<'d> Told<'d> {
     }
 }
 
-fn placed(declaration: &Declaration) -> Option<(&[Term], &Term, &Term)> {
+fn placed(declaration: &Declaration) -> Option<(&[Term], Option<&Term>, &Term)> {
     let (subjects, slots) = declaration.statement.does("lie")?;
     slot(slots, Slot::At)?;
-    Some((
-        subjects,
-        slot(slots, Slot::From)?,
-        slot(slots, Slot::Along)?,
-    ))
+    Some((subjects, slot(slots, Slot::From), slot(slots, Slot::Along)?))
 }
 
 /// Whether one sentence places one thing from another in two ways at once: at a distance along one axis and at another along
@@ -97,7 +93,7 @@ fn places_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
             same()
                 && first.extent == second.extent
                 && one.0 == other.0
-                && one.1 == other.1
+                && (one.1 == other.1 || one.1.is_none() || other.1.is_none())
                 && one.2 != other.2
         }
         _ => false,

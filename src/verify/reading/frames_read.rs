@@ -57,7 +57,8 @@ impl Builder<'_> {
         let root = self.system().add_frame(&ground, None, Turn::Fixed);
         self.frames.insert(ground, root);
         for other in inertial.into_iter().skip(1) {
-            self.frames.insert(other, root);
+            let frame = self.system().add_frame(&other, Some(root), Turn::Fixed);
+            self.frames.insert(other, frame);
         }
         // A body turns as the frame does that is fixed in it. What turns has axes of its own, and so has what others turn against.
         let carried: Vec<(String, String)> =

@@ -1,7 +1,7 @@
 //! What is said of one instant: values of letters then, what is zero or at rest then, and lines that hold then alone.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Node, Relation};
 use crate::notation::document::Row;
 use crate::verify::Role;
 use crate::verify::facts::{START, Source};
@@ -37,6 +37,20 @@ impl Builder<'_> {
                     && !self.is_told_otherwise(letter)
                 {
                     self.denote_number(letter, declaration);
+                }
+            }
+        }
+    }
+
+    /// What has a value at an instant is not constant by custom.
+    pub(super) fn let_values_change(&mut self, declarations: &[Declaration]) {
+        for declaration in declarations.iter().filter(|d| is_of_instant(d)) {
+            for letter in letters_then(&declaration.statement) {
+                if is_number(&letter)
+                    && let Some(value) = self.scalar(&letter, declaration)
+                    && let Some(letter) = value.as_variable()
+                {
+                    self.system().atoms.let_change(letter);
                 }
             }
         }
@@ -197,7 +211,7 @@ impl Builder<'_> {
         Some(all)
     }
 
-    /// The sides of a formula, one less the next, component by component.
+    /// The sides of an equation, one less the next, component by component.
     fn sides_less(&mut self, formula: &Term, declaration: &Declaration) -> Option<Vec<Fraction>> {
         let Term::Formula(Formula {
             row: Row::Line(line),
@@ -206,6 +220,10 @@ impl Builder<'_> {
         else {
             return None;
         };
+        let equal = |(relation, _): &(Relation, _)| *relation == Relation::Equal;
+        if !line.relations.iter().all(equal) {
+            return None;
+        }
         let sides = line.sides.iter();
         let values = sides.map(|side| self.mentioned_value(&Formula::of(side), declaration));
         let values: Vec<_> = values.collect::<Option<_>>()?;
@@ -325,6 +343,34 @@ fn is_time_relation(written: &str) -> bool {
 fn is_instant(formula: &Formula) -> bool {
     let symbol = node_of(formula).map(|node| &node.kind);
     matches!(symbol, Some(Kind::Symbol(s)) if s.name == "t" && (!s.subscripts.is_empty() || s.primes > 0))
+}
+
+/// The letters of which a statement tells values at an instant.
+fn letters_then(statement: &Statement) -> Vec<Formula> {
+    let formula = |term: &Term| match term {
+        Term::Formula(formula) => Some(formula.clone()),
+        _ => None,
+    };
+    let told: Vec<&Term> = match statement {
+        Statement::Is { subjects, what } if what.head == "zero" => subjects.iter().collect(),
+        Statement::Is { what, .. } if matches!(what.head, VALUE | INITIAL_VALUE) => {
+            what.all(Slot::Of).collect()
+        }
+        Statement::Does {
+            subjects,
+            verb: "hold",
+            ..
+        } => subjects.iter().collect(),
+        _ => vec![],
+    };
+    let first = |formula: Formula| match &formula.row {
+        Row::Line(line) => line.sides.first().map(Formula::of),
+        _ => Some(formula),
+    };
+    told.into_iter()
+        .filter_map(formula)
+        .filter_map(first)
+        .collect::<Vec<_>>()
 }
 
 /// Whether a letter is written as a number is, and not as a vector.

@@ -20,6 +20,7 @@ impl Builder<'_> {
         let mut spoken = self.spoken_points();
         self.share_centres(&mut spoken);
         self.add_centres(&mut spoken);
+        self.add_origins(&mut spoken);
         let ground = self.reading.system.ground;
         let each = |s: &Spoken| {
             let body = s.centre_of.map(|body| &self.reading.system.bodies[body]);
@@ -31,12 +32,15 @@ impl Builder<'_> {
             self.lies_from(s)
                 .is_some_and(|from| centres.contains(&from))
         };
+        let outside = self.placed_from_outside(&spoken);
         let rank = |s: &Spoken| match s {
             s if each(s) => 5,
             s if s.fixed_in.contains(&ground) && s.fixed_in.len() > 1 => 0,
             s if s.fixed_in.contains(&ground) => 1,
             // From a joint the mass centres of both bodies are placed.
             s if s.fixed_in.len() > 1 && !from_centre(s) => 1,
+            // What is placed from outside carries all that is fixed where it is.
+            s if outside.contains(&s.name) => 1,
             s if s
                 .centre_of
                 .is_some_and(|b| !self.reading.system.bodies[b].parts.is_empty()) =>
@@ -60,7 +64,23 @@ impl Builder<'_> {
         }
         self.let_places_change();
         self.hold_other_places();
+        self.hold_inertial_frames();
         self.name_ways();
+    }
+
+    /// The points that are fixed in frames, and placed from one that is fixed in others.
+    fn placed_from_outside(&self, spoken: &[Spoken]) -> BTreeSet<String> {
+        let outside = |s: &&Spoken| {
+            let from = self.lies_from(s);
+            let from = spoken
+                .iter()
+                .find(|other| Some(&other.name) == from.as_ref());
+            let apart = |frame: &FrameId| !s.fixed_in.contains(frame);
+            let others = from.map_or(&[][..], |from| from.fixed_in.as_slice());
+            !s.fixed_in.is_empty() && !others.is_empty() && others.iter().all(apart)
+        };
+        let placed = spoken.iter().filter(outside);
+        placed.map(|s| s.name.clone()).collect()
     }
 
     /// "G is placed from O by `$\\vec a$`": what the letter is, where no other sentence tells it.
@@ -326,10 +346,11 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            if what.all(Slot::FixedIn).count() > 1 {
-                subjects
-                    .iter()
-                    .for_each(|subject| self.hold_fixed(subject, declaration));
+            let fixed = what.all(Slot::FixedIn).count();
+            for subject in subjects {
+                if fixed > 1 || fixed == 1 && self.lies_from_beside(subject) {
+                    self.hold_fixed(subject, declaration);
+                }
             }
             if what.head != MASS_CENTRE {
                 continue;

@@ -65,6 +65,14 @@ impl Builder<'_> {
                 Statement::Is { subjects, what } if what.head == "centre" && whole => {
                     self.speak_of_surface(&mut all, subjects, what);
                 }
+                // "A is a frame fixed at G": there it has its origin.
+                Statement::Is { what, .. } if what.head == "frame" && whole => {
+                    let frames = declaration.statement.subjects().iter();
+                    let frames: Vec<FrameId> = frames.filter_map(|f| self.frame(f)).collect();
+                    for name in what.all(Slot::At).filter_map(name_of) {
+                        entry(&mut all, &name).fixed_in.extend(&frames);
+                    }
+                }
                 // "P is a particle fixed in B": its mass centre is.
                 Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
                     for body in subjects.iter().filter_map(|subject| self.body(subject)) {

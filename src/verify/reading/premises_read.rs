@@ -12,7 +12,7 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{BodyId, FrameId, PointId};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of, told};
+use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of};
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::zeros_read::ZERO;
 use crate::verify::term::letters::Reach;
@@ -43,8 +43,11 @@ impl Builder<'_> {
                     // Where a potential energy is zero the energy itself tells.
                     let of_potential = what.slot(Slot::At).is_some()
                         && tells_zero_of_potential(declaration, self.declarations);
+                    // Before and after a blow is not always.
+                    let always = what.slots.is_empty();
                     if !of_potential {
-                        let read = self.read_zeros(subjects, declaration);
+                        let read = always.then(|| self.read_zeros(subjects, declaration));
+                        let read = read.flatten();
                         read.unwrap_or_else(|| self.say_unused(declaration));
                     }
                 }
@@ -149,41 +152,6 @@ impl Builder<'_> {
         Some(())
     }
 
-    /// The products of inertia vanish on the axes of the frame.
-    fn principal_axes(&mut self, premise: &NounPhrase, declaration: &Declaration) -> Option<()> {
-        // At an instant alone they are told of no other.
-        let when = Term::is_condition;
-        if premise.slots.iter().any(|(_, term)| when(term)) {
-            return None;
-        }
-        let of = self.whole_of(premise)?;
-        let about = match premise.slot(Slot::About).or(premise.slot(Slot::At)) {
-            Some(_) => self.about(premise, &of)?,
-            None => self
-                .base_of(&of)
-                .map_or_else(|| self.about(premise, &of), Some)?,
-        };
-        let axes = match premise.slot(Slot::With) {
-            Some(Term::Phrase(axes)) => axes.slot(Slot::Of),
-            _ => None,
-        };
-        let customary = self.reading.letters.component_frame;
-        let frame = told(axes, customary, |t| self.frame(t))?;
-        let tensor = Quantity::Inertia { of, about };
-        for (row, column) in [(0, 1), (0, 2), (1, 2)] {
-            let of = tensor.clone().boxed();
-            let entry = Quantity::Entry {
-                of,
-                row,
-                column,
-                on: frame,
-                integral: false,
-            };
-            self.hold_quantities(&entry, &zero(), declaration);
-        }
-        Some(())
-    }
-
     /// "Line 135 holds in the section "The Spherical Top"": it is assumed there.
     fn read_line_holds(
         &mut self,
@@ -214,7 +182,12 @@ impl Builder<'_> {
                 .reading
                 .held
                 .push((lines.clone(), Reach::Section(title))),
-            None => self.say_unused(declaration),
+            // A line that holds at a time or in a case that is not worked with holds in no other line.
+            None => {
+                let then = self.reading.instants.named(declaration.sentence());
+                then.lines.push(lines.clone());
+                self.say_unused(declaration);
+            }
         }
         self.reading
             .roles
@@ -372,6 +345,6 @@ impl Builder<'_> {
     }
 }
 
-fn zero() -> Quantity {
+pub(super) fn zero() -> Quantity {
     Quantity::Known(Value::scalar(Zero::zero()))
 }

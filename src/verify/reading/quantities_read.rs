@@ -83,15 +83,8 @@ impl Builder<'_> {
         }
         let relative = relative?;
         Some(match phrase.head {
-            "velocity" => {
-                let of = self.moving_spot(phrase)?;
-                Quantity::Velocity { of, relative }
-            }
+            "velocity" | "acceleration" => self.motion_of_point(phrase, relative)?,
             "speed" => self.speed(phrase, relative)?,
-            "acceleration" => {
-                let of = self.moving_spot(phrase)?;
-                Quantity::Acceleration { of, relative }
-            }
             SPECIFIC_FORCE => self.specific_force(phrase)?,
             ANGULAR_VELOCITY => {
                 let of = self.frame(phrase.slot(Slot::Of)?)?;

@@ -12,6 +12,27 @@ use crate::verify::reading::names::name_of;
 const TRIADS: [&str; 2] = ["axes", "axis"];
 
 impl Builder<'_> {
+    /// Whether a point is placed from another one that sentences fix where it is.
+    pub(super) fn lies_from_beside(&self, subject: &Term) -> bool {
+        let points = &self.reading.system.points;
+        let Some(own) = self.point(subject).map(|own| &points[own].fixed_in) else {
+            return false;
+        };
+        let fixes = |d: &Declaration, point: &Term| match &d.statement {
+            Statement::Is { subjects, what } if d.extent == Extent::Document => {
+                let frames = self.frames_fixed(what);
+                subjects.contains(point) && frames.iter().any(|frame| own.contains(frame))
+            }
+            _ => false,
+        };
+        self.declarations.iter().any(|d| {
+            let placed = d.statement.does("place").or(d.statement.does("lie"));
+            let from = placed.and_then(|(_, slots)| slot(slots, Slot::From));
+            d.statement.subjects().contains(subject)
+                && from.is_some_and(|from| self.declarations.iter().any(|d| fixes(d, from)))
+        })
+    }
+
     /// A point stays where it is in all frames in which it is fixed, also where it was placed in one of them alone.
     pub(super) fn hold_fixed(&mut self, subject: &Term, declaration: &Declaration) {
         let Some(point) = self.point(subject) else {

@@ -24,6 +24,12 @@ impl Builder<'_> {
             .all(Slot::InOrder)
             .map(|term| self.number_of_axis(term))
             .collect();
+        // The first turn is about an axis of both kinds.
+        let mut later = what.all(Slot::InOrder).skip(1);
+        let fixed = later.any(is_fixed_axis);
+        if fixed && !what.all(Slot::InOrder).skip(1).all(is_fixed_axis) {
+            return self.say_unused(declaration);
+        }
         let frame = what.slot(Slot::Of).and_then(|term| self.frame(term));
         let (Some(order), Some(frame)) = (order, frame) else {
             return self.say_unused(declaration);
@@ -38,6 +44,12 @@ impl Builder<'_> {
                 continue;
             };
             angles.extend(self.scalar(&formula.clone(), declaration));
+        }
+        let mut order = order;
+        // Turns about axes that stay are turns about those that turn, from the last one to the first.
+        if fixed {
+            order.reverse();
+            angles.reverse();
         }
         let turned = &self.reading.system.frames[frame];
         if order.len() != angles.len() || !(1..=3).contains(&order.len()) {
@@ -302,4 +314,9 @@ impl Builder<'_> {
         let upright = vertical.frame == ground && vertical.axis == axis && !self.has_plane_anyhow();
         upright || self.bearings.lie.normal() == Some(axis)
     }
+}
+
+/// "the fixed axis x"
+fn is_fixed_axis(axis: &Term) -> bool {
+    matches!(axis, Term::Phrase(axis) if axis.is("fixed"))
 }

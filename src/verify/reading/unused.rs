@@ -4,10 +4,10 @@ use crate::notation::ast::{DerivativeStyle, Function, Kind, Node, Symbol};
 use crate::notation::document::Row;
 use crate::notation::print;
 use crate::verify::language::heads::{BOLD_LETTER, FRAME_AT_UPPER};
-use crate::verify::language::statement::{Formula, Sign, Statement, Term};
+use crate::verify::language::statement::{Formula, Sign, Slot, Statement, Term};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::Reading;
-use crate::verify::reading::names::{node_of, nodes_of};
+use crate::verify::reading::names::{letter_of, node_of, nodes_of};
 use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +16,9 @@ use std::sync::Arc;
 /// Letters that mean what they do by custom, where no sentence says otherwise.
 const BY_CUSTOM: [&str; 5] = ["t", "pi", "delta", "epsilon", "varepsilon"];
 
+/// What the parts of an array are called.
+const PARTS: [&str; 3] = ["column", "row", "entry"];
+
 /// A sentence that nothing was made of.
 #[derive(Clone, Debug)]
 pub(crate) struct Unused {
@@ -23,6 +26,8 @@ pub(crate) struct Unused {
     pub(crate) understood: bool,
     /// What it says makes the model larger than what is worked out.
     pub(crate) beyond: bool,
+    /// It says what quantity a letter is.
+    pub(crate) names: bool,
     /// It says what something is: without it nothing that hangs on that is known.
     pub(crate) tells: bool,
     /// What would help, where that is known.
@@ -125,6 +130,13 @@ impl Reading {
             .any(|unused| unused.about.contains(letter))
     }
 
+    /// Whether a sentence that was not understood, or of which nothing was made, says what a letter is.
+    pub(crate) fn is_named_in_vain(&self, letter: &str, at: &At) -> bool {
+        let names = |unused: &Unused| !unused.understood || unused.names;
+        self.unused_at(at)
+            .any(|unused| names(unused) && unused.about.contains(letter))
+    }
+
     /// A sentence that was not understood, without which nothing can be said of formulas at a place.
     pub(crate) fn unread_of(&self, written: Written<'_>, at: &At) -> Option<&str> {
         let tells = |unused: &&Unused| unused.blocks() && unused.may_change(written, &self.letters);
@@ -143,13 +155,25 @@ pub(super) fn letters_of_subjects(statement: &Statement) -> BTreeSet<String> {
     }
     let mut letters = BTreeSet::new();
     for subject in statement.subjects() {
-        if let Term::Formula(formula) = subject {
+        let letter = match subject {
+            Term::Formula(letter) => Some(letter),
+            term => array_said(term),
+        };
+        if let Some(formula) = letter {
             nodes_of(formula)
                 .iter()
                 .for_each(|node| collect(node, &mut letters));
         }
     }
     letters
+}
+
+/// The letter of an array of which a term names the parts: "the columns of `$X$`".
+pub(super) fn array_said(term: &Term) -> Option<&Formula> {
+    match term {
+        Term::Phrase(parts) if PARTS.contains(&parts.head) => letter_of(parts.slot(Slot::Of)?),
+        _ => None,
+    }
 }
 
 fn stands_in(node: &Node, whole: &str) -> bool {

@@ -1,9 +1,9 @@
 //! Sentences of which nothing was made, and what they keep from being denied.
 
 use crate::notation::ast::{Kind, Node};
-use crate::verify::language::heads::{FORCE, KEEPS_DIRECTION, MASS, MOMENT};
+use crate::verify::language::heads::{CONSTANT, FORCE, KEEPS_DIRECTION, MASS, MOMENT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::language::{is_bodily, is_body, only_names};
+use crate::verify::language::{is_bodily, is_body, is_quantity, only_names};
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS, place_in};
@@ -111,6 +111,7 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
+        self.say_unbound();
     }
 
     /// Whether the model moves things as a sentence says that they move.
@@ -261,6 +262,7 @@ impl Builder<'_> {
                 sentence,
                 understood,
                 beyond: false,
+                names: names_quantity(&declaration.statement),
                 tells: tells_anew(&declaration.statement),
                 wants: None,
                 reach,
@@ -322,6 +324,11 @@ impl Builder<'_> {
 /// Whether a noun means what acts on bodies.
 fn is_load(what: &NounPhrase) -> bool {
     names_load(what) || matches!(what.head, FORCE | MOMENT)
+}
+
+/// Whether a sentence says what quantity something is, and of no adjective alone.
+fn names_quantity(statement: &Statement) -> bool {
+    matches!(statement, Statement::Is { what, .. } if is_quantity(what.head) && what.head != CONSTANT)
 }
 
 /// Whether one of some letters stands in a statement.

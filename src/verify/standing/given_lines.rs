@@ -15,6 +15,7 @@ pub(crate) fn with_given_lines(
     if given.is_empty() {
         return declarations;
     }
+    let held: Vec<Reach> = declarations.iter().filter_map(held_in_part).collect();
     let mut set = vec![];
     for row in rows(document) {
         let Row::Line(line) = row else { continue };
@@ -28,6 +29,10 @@ pub(crate) fn with_given_lines(
             source: document.source.slice(line.span).to_owned(),
             row: row.clone(),
         };
+        // What holds at a time or in a case alone is not known elsewhere.
+        if held.iter().any(|reach| reach.covers(&at, 0)) {
+            continue;
+        }
         if let Some((role, _)) = given.iter().find(|(_, reach)| reach.covers(&at, 0))
             && let Some((letter, _)) = definition_in(&formula)
             && !is_subject(&declarations, &Formula::of(letter))
@@ -46,6 +51,17 @@ fn given(declaration: &Declaration) -> Option<(&Declaration, Reach)> {
             lines,
             role: DeclaredRole::Given,
         } if declaration.extent == Extent::Document => Some((declaration, reach_of(lines))),
+        _ => None,
+    }
+}
+
+/// The lines of which a sentence says when, in what case or how nearly they hold.
+fn held_in_part(declaration: &Declaration) -> Option<Reach> {
+    match &declaration.statement {
+        Statement::LineHolds { lines, slots } if !slots.is_empty() => Some(match lines {
+            Extent::Document => reach_of(&declaration.extent),
+            lines => reach_of(lines),
+        }),
         _ => None,
     }
 }

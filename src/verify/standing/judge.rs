@@ -233,7 +233,7 @@ impl<'a> Judge<'a> {
         let line = &*without_number(line);
         let place = self.document.place_of_row(line.span.start);
         (self.at.cell, self.at.line) = (place.cell, place.line);
-        let links = self.chain.links(line, &self.at);
+        let links = self.links_of(line);
         let cut = self.document.format == Format::Text
             && has_open_brackets(self.document.source.slice(line.span));
         let elsewhere = self.passes_over(&links);

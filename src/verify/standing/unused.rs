@@ -1,13 +1,14 @@
 //! Lines that wait for a sentence of which nothing was made.
 
-use crate::notation::ast::{Line, Node};
+use crate::notation::ast::{Kind, Line, Node, Symbol};
+use crate::notation::print::latex;
 use crate::verify::Role;
 use crate::verify::reading::unused::Written;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::roles::Purpose;
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::term::letters::letters_and_names;
+use crate::verify::term::letters::{letters_and_names, loosely, spelled};
 use std::collections::BTreeSet;
 
 impl Judge<'_> {
@@ -26,7 +27,22 @@ impl Judge<'_> {
         let mut settled = settled.filter_map(|h| h.settles.as_ref());
         settled.any(|(letter, ..)| self.reading.is_about_unused(letter, &self.at))
             || told && purpose.role == Role::Define
+            || self.reads_by_custom(&sides)
             || self.unread_of(&sides, &unknown).is_some()
+    }
+
+    /// Whether a letter that its labels alone make an entry of a tensor stands in formulas, where a sentence of which nothing was made
+    /// says what it is.
+    fn reads_by_custom(&self, nodes: &[&Node]) -> bool {
+        let letters = &self.reading.letters;
+        let told = |node: &Node| {
+            let found = letters.find(&spelled(node), &loosely(node), &self.at, 0);
+            found.is_some() || !self.reading.is_named_in_vain(&latex(node), &self.at)
+        };
+        nodes.iter().any(|node| match &node.kind {
+            Kind::Symbol(symbol) => is_labelled_by_axes(symbol) && !told(node),
+            _ => self.reads_by_custom(&node.children().collect::<Vec<_>>()),
+        })
     }
 
     /// A sentence of which nothing was made, and which may tell something of the letters of formulas.
@@ -53,4 +69,13 @@ impl Judge<'_> {
 
 fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
     nodes.into_iter().flat_map(letters_and_names).collect()
+}
+
+/// `I_{xy}`: two axes, by which it is an entry where no sentence says what it is.
+fn is_labelled_by_axes(symbol: &Symbol) -> bool {
+    let axes = |label: &String| {
+        let mut letters = label.chars();
+        label.chars().count() == 2 && letters.all(|l| "xyzXYZ123".contains(l))
+    };
+    symbol.subscripts.last().is_some_and(axes)
 }
