@@ -255,13 +255,13 @@ fn a_macro_may_stand_for_a_command_that_asks_for_an_argument() {
 #[test]
 fn cases_with_numbers_are_displays() {
     let text = r"\begin{subnumcases}{} a = b \label{x} \\ c = d \end{subnumcases}";
-    assert_eq!(document(text, Format::Latex), "a = b\nc = d");
+    assert_eq!(document(text, Format::Latex), "a = b #x\nc = d");
 }
 
 #[test]
 fn the_mass_of_an_element_is_no_function() {
     each_reads(&[
-        (r"\mathrm{d}m (a + b)", "(* d m (group (+ a b)))"),
+        (r"\mathrm{d}m (a + b)", "(* up:d m (group (+ a b)))"),
         (r"m (a + b)", "(call m (+ a b))"),
     ]);
 }

@@ -204,7 +204,7 @@ fn factors<'l>(judge: &mut Judge<'_>, term: &'l Node) -> Option<(Fraction, Vec<F
     let (mut factors, mut product) = (vec![], Fraction::one());
     for node in nodes {
         let own = judge.term(node)?;
-        product = product * own.clone();
+        product *= own.clone();
         factors.push((node, own));
     }
     Some((judge.normal(&signed(product, negative))?, factors))

@@ -1,19 +1,9 @@
 //! Formulas of which a sentence writes some parts between dollar signs and others as names: "by `$x$` u", "n = `$c$` x + `$s$` y".
 
-use super::reader::is_glue;
 use super::words::{Kind, Token};
 
 /// Signs that join the parts of a formula.
 const JOINING: [&str; 4] = ["=", "+", "-", "−"];
-
-/// A name in a formula has no more letters.
-const LONGEST_NAME: usize = 3;
-
-/// Short words that name nothing.
-const SHORT_WORDS: [&str; 26] = [
-    "a", "an", "at", "by", "do", "for", "has", "if", "in", "its", "it", "no", "not", "of", "off",
-    "on", "one", "per", "the", "to", "two", "up", "via", "we", "us", "all",
-];
 
 /// The sentence with each such formula as one; `None` where it has none.
 pub(crate) fn joined(tokens: &[Token]) -> Option<Vec<Token>> {
@@ -65,13 +55,12 @@ fn is_factor(token: &Token) -> bool {
     matches!(token.kind, Kind::Formula | Kind::Plain | Kind::Number) && !is_sign(token)
 }
 
-/// A letter with or without a number. A capital may be a body or a point that something is said of.
+/// A small letter with or without a number: a capital may be a body or a point that something is said of.
 fn is_name(token: &Token) -> bool {
-    let short = token.text.chars().count() <= LONGEST_NAME;
-    let letters = token.text.chars().all(char::is_alphanumeric);
-    let small = token.text.starts_with(char::is_lowercase);
-    let word = SHORT_WORDS.contains(&token.lower.as_str()) || is_glue(&token.lower);
-    token.kind == Kind::Word && short && letters && small && !word
+    let mut letters = token.text.chars();
+    let small = letters.next().is_some_and(char::is_lowercase);
+    let number = letters.all(|c| c.is_ascii_digit());
+    token.kind == Kind::Word && small && number && token.text != "a"
 }
 
 fn written(tokens: &[Token]) -> String {

@@ -142,7 +142,9 @@ pub(crate) fn tell_turning(declarations: &mut Vec<Declaration>) {
         };
         as_described_body(what);
         let motion = MOTIONS.into_iter().find(|(said, ..)| what.is(said));
-        let moves = is_body(what.head) || MOVED.contains(&what.head);
+        // How a frame turns that only turns another sentence may tell.
+        let told = what.slots.iter().any(|(slot, _)| *slot != Slot::RelativeTo);
+        let moves = is_body(what.head) || MOVED.contains(&what.head) && told;
         let Some((adjective, verb, slots)) = motion.filter(|_| moves) else {
             return vec![];
         };

@@ -65,13 +65,8 @@ impl Builder<'_> {
                 Statement::Is { subjects, what } if what.head == "centre" && whole => {
                     self.speak_of_surface(&mut all, subjects, what);
                 }
-                // "A is a frame fixed at G": there it has its origin.
-                Statement::Is { what, .. } if what.head == "frame" && whole => {
-                    let frames = declaration.statement.subjects().iter();
-                    let frames: Vec<FrameId> = frames.filter_map(|f| self.frame(f)).collect();
-                    for name in what.all(Slot::At).filter_map(name_of) {
-                        entry(&mut all, &name).fixed_in.extend(&frames);
-                    }
+                Statement::Is { subjects, what } if what.head == "frame" && whole => {
+                    self.speak_of_origin(&mut all, subjects, what);
                 }
                 // "P is a particle fixed in B": its mass centre is.
                 Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
@@ -107,6 +102,14 @@ impl Builder<'_> {
             }
         }
         all
+    }
+
+    /// "A is a frame fixed at G": there it has its origin.
+    fn speak_of_origin(&self, all: &mut Vec<Spoken>, subjects: &[Term], what: &NounPhrase) {
+        let frames: Vec<FrameId> = subjects.iter().filter_map(|f| self.frame(f)).collect();
+        for name in what.all(Slot::At).filter_map(name_of) {
+            entry(all, &name).fixed_in.extend(&frames);
+        }
     }
 
     fn speak_of_surface(&self, all: &mut Vec<Spoken>, subjects: &[Term], what: &NounPhrase) {

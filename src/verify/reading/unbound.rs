@@ -14,10 +14,12 @@ use crate::verify::reading::unused::array_said;
 use crate::verify::term::letters::{loosely, spelled};
 
 /// Nouns of letters that are found as the lines are read.
-const READ_ELSEWHERE: [&str; 8] = [
+const READ_ELSEWHERE: [&str; 10] = [
     "component",
     "entry",
     "angle",
+    "integral",
+    "function",
     PERIOD,
     FREQUENCY,
     ANGULAR_FREQUENCY,

@@ -44,7 +44,7 @@ impl Judge<'_> {
         let (vector, told) = (vector?, told?);
         let mut scale = Fraction::one();
         for factor in &applied.scale {
-            scale = scale * lowering.value(factor).ok()?.to_scalar().ok()?;
+            scale *= lowering.value(factor).ok()?.to_scalar().ok()?;
         }
         // What an earlier line settles is known by its shape.
         let mut letters = lowering.unknown.keys();

@@ -228,6 +228,8 @@ The axes of B are principal axes of the body.
 $L$ is the magnitude of $\vec L$.
 $I_1$, $I_2$, $I_3$ are the principal moments of the body about O on B.
 $\vec L$ is the angular momentum of the body about O relative to N.
+$I_1=I_2$.
+No moment acts on the body about O.
 $\phi$, $\theta$, $\psi$ are the Euler angles of B relative to N in the order z, x, z.
 $\omega_1$, $\omega_2$, $\omega_3$ are the components on B of the angular velocity of B relative to N.
 ";

@@ -76,7 +76,7 @@ $$ J=C $$
 $$ J=A $$
 $$ K=D $$
 ";
-    assert_eq!(judged(sentences, text), "ppp");
+    assert_eq!(judged(sentences, text), "pprp");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What is not worked with keeps what rests on it from being proved.
 
-use super::judged;
+use super::{judged, verdicts};
 
 #[test]
 fn a_mass_centre_that_is_elsewhere_does_not_roll_as_the_middle_does() {
@@ -67,7 +67,7 @@ $I_{12}$ is the entry (1, 2) of $I$.
     let text = r"
 $$ I_{12} = -I_{xy} $$
 ";
-    assert_eq!(judged(sentences, text), "u");
+    assert_eq!(verdicts(sentences, text).0, "u");
 }
 
 #[test]

@@ -268,8 +268,7 @@ $$ w=2\omega z $$
 $$ v=b\omega\cos\theta\, x $$
 $$ v=b\omega\sin\theta\, x $$
 ";
-    // No numbers are drawn for the sine of an angle that a premise tells.
-    assert_eq!(judged(sentences, text), "prpu");
+    assert_eq!(judged(sentences, text), "prpr");
 }
 
 #[test]
