@@ -50,3 +50,8 @@ pub(crate) fn unknown_bound(bound: &str) -> String {
 }
 /// Why what is said of motions nearby is not denied.
 pub(crate) const OTHER_MOTIONS: &str = "what is told of this motion may hold in motions nearby";
+
+/// The name of the point from which a frame's places are counted, where the author gives none.
+pub(crate) fn origin_of(frame: &str) -> String {
+    format!("origin of {frame}")
+}

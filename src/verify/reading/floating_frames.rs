@@ -1,6 +1,7 @@
 //! Frames that move without a point of which a sentence tells: each has an origin of its own, and nothing tells where that is.
 
 use crate::verify::language::heads::KEEPS_DIRECTION;
+use crate::verify::language::messages::origin_of;
 use crate::verify::language::statement::{Declaration, Statement, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
@@ -22,7 +23,7 @@ impl Builder<'_> {
                 let rests = together.contains(&self.reading.system.ground);
                 if !rests && !carried && !spoken.iter().any(placed) {
                     spoken.push(Spoken {
-                        name: format!("origin of {}", name.replace('_', "")),
+                        name: origin_of(&name.replace('_', "")),
                         fixed_in: together,
                         ..Spoken::default()
                     });
