@@ -88,6 +88,7 @@ mod planar_lines;
 mod possessions;
 mod predicate;
 mod print;
+mod quoted_words;
 mod rate_matrices;
 mod reader;
 mod reorder;

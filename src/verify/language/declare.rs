@@ -208,7 +208,8 @@ fn unread(
     });
     let mut extents = extents.unwrap_or_else(|| vec![Extent::Document]);
     let limited = extents != [Extent::Document] || may_be_limited;
-    let touched = reader.touched(limited);
+    let words = reader.quoted_words();
+    let touched = words.map_or_else(|| reader.touched(limited), Touched::Words);
     // Parts that go on in words that are not understood may be anywhere.
     if GOES_ON.contains(&reader.word()) {
         extents = vec![Extent::Document];

@@ -242,6 +242,8 @@ pub enum Touched {
     Written(Vec<Formula>),
     /// What carries one of these signs.
     Signs(Vec<Sign>),
+    /// What carries one of these words.
+    Words(Vec<String>),
     /// It may be a rule for all that is written.
     Everything,
 }

@@ -54,6 +54,7 @@ pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touch
                 false => Touches::Signs(signs.clone()),
             }
         }
+        Touched::Words(words) => Touches::Words(words.clone()),
         Touched::Everything => Touches::Everything,
     }
 }

@@ -58,6 +58,8 @@ pub(crate) enum Touches {
     Written(Vec<String>),
     /// Of what carries one of these signs.
     Signs(Vec<Sign>),
+    /// Of what carries one of these words.
+    Words(Vec<String>),
     Everything,
 }
 
@@ -66,6 +68,8 @@ pub(crate) enum Touches {
 pub(crate) struct Written<'n> {
     pub(crate) nodes: &'n [&'n Node],
     pub(crate) unknown: &'n [String],
+    /// The lines on which they stand, as they are written.
+    pub(crate) text: &'n str,
 }
 
 impl Unused {
@@ -75,6 +79,7 @@ impl Unused {
         let mut nodes = written.nodes.iter();
         match &self.touches {
             Touches::Everything => true,
+            Touches::Words(words) => words.iter().any(|word| written.text.contains(word)),
             Touches::Signs(signs) => nodes.any(|node| signs.iter().any(|sign| carries(node, sign))),
             Touches::Written(wholes) => {
                 nodes.any(|node| wholes.iter().any(|whole| stands_in(node, whole)))

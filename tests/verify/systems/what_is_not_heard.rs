@@ -221,3 +221,27 @@ $$ w = \Omega z - \dot q x $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_rule_for_a_quoted_word_concerns_what_carries_it() {
+    let text = "
+$$ v = \\dot s x $$
+$$ v = \\dot s x = \\text{constant} $$
+";
+    let scene = "N is an inertial frame.
+x, y, z are the axes of N.
+O is a point fixed in N.
+P is placed from O by $s x$.
+$v$ is the velocity of P relative to N.
+";
+    for (rule, judged) in [
+        (
+            "A member \"constant\" at the end of a chain says that the one before it stays.",
+            "pu",
+        ),
+        ("The word \"constant\" names the rate of the rate.", "uu"),
+    ] {
+        let (given, misread) = verdicts(&format!("{scene}{rule}\n"), text);
+        assert_eq!((given.as_str(), misread.len()), (judged, 1), "{rule}");
+    }
+}
