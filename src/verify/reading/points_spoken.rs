@@ -68,12 +68,8 @@ impl Builder<'_> {
                 Statement::Is { subjects, what } if what.head == "frame" && whole => {
                     self.speak_of_origin(&mut all, subjects, what);
                 }
-                // "P is a particle fixed in B": its mass centre is.
                 Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => {
-                    for body in subjects.iter().filter_map(|subject| self.body(subject)) {
-                        let name = self.reading.system.bodies[body].name.clone();
-                        self.speak_of_centre(&mut all, &name, body, what);
-                    }
+                    self.speak_of_particles(&mut all, subjects, what);
                 }
                 // "The mass centres of the gimbal and of the wheel are fixed in B."
                 Statement::Premise(p) if p.head == MASS_CENTRE && p.is("fixed") => {
@@ -102,6 +98,14 @@ impl Builder<'_> {
             }
         }
         all
+    }
+
+    /// "P is a particle fixed in B": its mass centre is.
+    fn speak_of_particles(&self, all: &mut Vec<Spoken>, subjects: &[Term], what: &NounPhrase) {
+        for body in subjects.iter().filter_map(|subject| self.body(subject)) {
+            let name = self.reading.system.bodies[body].name.clone();
+            self.speak_of_centre(all, &name, body, what);
+        }
     }
 
     /// "A is a frame fixed at G": there it has its origin.
