@@ -1,7 +1,7 @@
 //! Letters that a sentence tells and that were bound to nothing: none of the lines may say what they are.
 
 use crate::notation::ast::{Kind, Node};
-use crate::verify::language::heads::{INSTANT, NATURAL_BASE};
+use crate::verify::language::heads::{INSTANT, JACOBIAN, NATURAL_BASE};
 use crate::verify::language::only_names;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement,
@@ -14,12 +14,13 @@ use crate::verify::reading::unused::array_said;
 use crate::verify::term::letters::{loosely, spelled};
 
 /// Nouns of letters that are found as the lines are read.
-const READ_ELSEWHERE: [&str; 10] = [
+const READ_ELSEWHERE: [&str; 11] = [
     "component",
     "entry",
     "angle",
     "integral",
     "function",
+    JACOBIAN,
     PERIOD,
     FREQUENCY,
     ANGULAR_FREQUENCY,

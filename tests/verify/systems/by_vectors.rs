@@ -239,6 +239,7 @@ $$ I_3\omega_3 = L\cos\theta $$
 $$ I_3\omega_3 = L\sin\theta $$
 ";
     for along in [r"Z is along $\vec L$.", r"$\vec L$ points along Z."] {
-        assert_eq!(judged(&format!("{sentences}{along}\n"), text), "ppr");
+        // Of the last line no numbers are found in which it fails.
+        assert_eq!(judged(&format!("{sentences}{along}\n"), text), "ppu");
     }
 }

@@ -19,7 +19,7 @@ $u$ is the velocity of G relative to N.
     let text = r"
 $$ u = r w\times z $$
 ";
-    assert_eq!(judged(sentences, text), "u");
+    assert_eq!(verdicts(sentences, text).0, "u");
 }
 
 #[test]
