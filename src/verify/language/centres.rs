@@ -1,4 +1,4 @@
-//! Centres of shapes that are their mass centres.
+//! Centres of shapes that are their mass centres, and sentences by which they may not be.
 
 use super::heads::MASS_CENTRE;
 use super::kinds::name;
@@ -14,6 +14,26 @@ const ONE_SIDED: [&str; 6] = [
     "cone",
     "triangle",
 ];
+
+/// Words of where the mass of a body is.
+const OFF_CENTRE: [&str; 7] = [
+    "centre",
+    "center",
+    "consists",
+    "eccentric",
+    "unbalanced",
+    "loaded",
+    "uneven",
+];
+
+/// Whether a sentence that is not understood may say where the mass of something is that has one of these names.
+pub(crate) fn speaks_of_centre(sentence: &Declaration, names: &[&str]) -> bool {
+    let words = sentence.text.split_whitespace();
+    let words = words.map(|word| word.trim_matches(|c: char| !c.is_alphanumeric()));
+    let words: Vec<&str> = words.collect();
+    let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(word));
+    has(names) && has(&OFF_CENTRE)
+}
 
 /// The names of the things of which a sentence says something.
 fn names_with(

@@ -5,7 +5,6 @@ use super::clause::Said;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
-use super::mixed_formulas::joined;
 use super::reorder::{
     axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
     without_brackets, without_ranges,
@@ -54,8 +53,6 @@ pub(crate) fn understood(
     if tokens.len() > LONGEST_JOINED {
         return Err(first);
     }
-    let whole = joined(tokens);
-    let tokens = whole.as_deref().unwrap_or(tokens);
     let told = value_at_which(tokens);
     let tokens = told.as_deref().unwrap_or(tokens);
     let ordered = compounds(&possessives(&axes(tokens), lexicon), lexicon);

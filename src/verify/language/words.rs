@@ -99,9 +99,7 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
 }
 
 /// Signs of which sentences say how they are read.
-const SIGNS: [&str; 13] = [
-    "=",
-    "+",
+const SIGNS: [&str; 11] = [
     "\\times",
     "\\pm",
     "−",

@@ -1,5 +1,6 @@
 //! Planes, points of contact, and rolling.
 
+use crate::verify::language::centres::speaks_of_centre;
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
@@ -9,17 +10,6 @@ use crate::verify::reading::names::{name_of, told};
 use crate::verify::reading::surface_read::surface_and_side;
 use crate::verify::reading::unused_read::MOVING;
 use crate::verify::term::quantity::Spot;
-
-/// Words of where the mass of a body is.
-const OFF_CENTRE: [&str; 7] = [
-    "centre",
-    "center",
-    "consists",
-    "eccentric",
-    "unbalanced",
-    "loaded",
-    "uneven",
-];
 
 /// Quantities that only what moves has.
 const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
@@ -249,20 +239,15 @@ impl Builder<'_> {
         let centre = self.centre_of(body);
         let body = self.reading.system.bodies[body].name.as_str();
         let named = self.points.iter().filter(|(_, point)| **point == centre);
-        let names: Vec<&str> = named.map(|(name, _)| name.as_str()).collect();
-        let speaks = |d: &Declaration| {
-            let words = d.text.split_whitespace();
-            let words = words.map(|word| word.trim_matches(|c: char| !c.is_alphanumeric()));
-            let words: Vec<&str> = words.collect();
-            let has = |wanted: &[&str]| words.iter().any(|word| wanted.contains(word));
-            (has(&names) || has(&[body])) && has(&OFF_CENTRE)
-        };
+        let names = named.map(|(name, _)| name.as_str());
+        let names: Vec<&str> = names.chain([body]).collect();
         let otherwise = |d: &Declaration| {
             let placed = d.statement.does("place").or(d.statement.does("lie"));
             let from = placed.and_then(|(_, slots)| slot(slots, Slot::From));
             let own = |term: &Term| self.point(term) == Some(centre);
             let lost = from.is_some_and(|from| self.point(from).is_none());
-            lost && d.statement.subjects().iter().any(own) || d.is_unread() && speaks(d)
+            lost && d.statement.subjects().iter().any(own)
+                || d.is_unread() && speaks_of_centre(d, &names)
         };
         !self.declarations.iter().any(otherwise)
     }

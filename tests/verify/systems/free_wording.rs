@@ -241,24 +241,6 @@ $$ R\,{}^{B}\vec v={}^{N}\vec v $$
 }
 
 #[test]
-fn a_formula_may_have_names_between_its_parts() {
-    let sentences = r"N is an inertial frame.
-i, j, k are the axes of N.
-O is a point fixed in N.
-A is placed from O by $s$ i + $s+c$ j.
-$\vec r$ is the position of A from O.
-n = $\vec r$.
-The colours have no meaning.
-";
-    let text = r"
-$$ \vec r\cdot i = s $$
-$$ \vec r\cdot j = c + s $$
-$$ \vec n = \vec r $$
-";
-    assert_eq!(judged(sentences, text), "ppp");
-}
-
-#[test]
 fn a_value_at_which_something_vanishes_makes_it_vanish() {
     let sentences = r"N is an inertial frame.
 $a$, $b$ and $\Omega$ are constant.
