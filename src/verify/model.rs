@@ -6,6 +6,7 @@ pub(crate) mod bodies;
 pub(crate) mod changes;
 pub(crate) mod contact;
 pub(crate) mod dimensions;
+mod equal_angles;
 pub(crate) mod frames;
 pub(crate) mod inertial_loads;
 pub(crate) mod kernels;

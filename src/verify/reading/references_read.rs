@@ -1,6 +1,6 @@
 //! Reference values and small disturbances: P = P₀ + p.
 
-use crate::algebra::{Fraction, Variable, compose};
+use crate::algebra::{Fraction, Variable};
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::heads::{DISTURBANCE, REFERENCE};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
@@ -247,30 +247,9 @@ impl Builder<'_> {
     /// The sines and cosines of an angle that the model has already are those of the sum.
     fn tell_kernels(&mut self, angle: Variable, sum: &Fraction) {
         let atoms = &mut self.reading.system.atoms;
-        let known: Vec<Fraction> = (0..atoms.len())
-            .filter_map(|place| atoms.angle_of(Variable::try_from(place).ok()?).cloned())
-            .filter(|known| known.variables().contains(&angle))
-            .collect();
-        for known in known {
-            let put = compose(
-                known.numerator(),
-                &[(angle, sum.clone())].into(),
-                MOST_TERMS,
-            );
-            let Ok(other) = put.map(|above| above / Fraction::from(known.denominator().clone()))
-            else {
-                continue;
-            };
-            let (own, told) = (atoms.cosine_sine(&known), atoms.cosine_sine(&other));
-            let (Some((c, s)), Some((cosine, sine))) = (own, told) else {
-                continue;
-            };
-            for (kernel, value) in [(c, cosine), (s, sine)] {
-                if let Some(variable) = kernel.as_variable() {
-                    let name = "definition";
-                    atoms.atom_mut(variable).law = Some(Law { name, value });
-                }
-            }
+        for (kernel, value) in atoms.sines_by(angle, sum, MOST_TERMS) {
+            let name = "definition";
+            atoms.atom_mut(kernel).law = Some(Law { name, value });
         }
     }
 

@@ -251,10 +251,7 @@ fn solved_for_motion(atoms: &mut Atoms, equation: &Polynomial) -> Option<(Variab
 }
 
 /// The cosine and the sine of an angle that is told at an instant, as a part of π or in constants.
-pub(super) fn angle_at_instant(
-    atoms: &mut Atoms,
-    value: &Fraction,
-) -> Option<Vec<(Variable, Fraction)>> {
+fn angle_at_instant(atoms: &mut Atoms, value: &Fraction) -> Option<Vec<(Variable, Fraction)>> {
     let polynomial = value.is_polynomial().then(|| value.numerator().clone())?;
     let variables = polynomial.variables().into_iter();
     let moving: Vec<Variable> = variables.filter(|&v| !atoms.rate(v).is_zero()).collect();

@@ -4,11 +4,9 @@ use crate::algebra::Fraction;
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
-use crate::verify::model::atoms::fraction;
 use crate::verify::reading::Premise;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
-use crate::verify::standing::kept::angle_at_instant;
 use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::letters::Reach;
 
@@ -50,10 +48,6 @@ impl Judge<'_> {
         for (value, source) in values.cloned().collect::<Vec<_>>() {
             let atoms = &mut self.reading.system.atoms;
             self.facts.put_at_instant(atoms, &value, &source);
-            for (variable, image) in angle_at_instant(atoms, &value).unwrap_or_default() {
-                let equation = fraction(variable) - image;
-                self.facts.put_at_instant(atoms, &equation, &source);
-            }
         }
     }
 
