@@ -196,17 +196,7 @@ impl Reader<'_> {
         self.take_any(&LINES);
         let mut ranges = vec![];
         loop {
-            let first = self.number()?;
-            let last = if self.take("to") {
-                self.number()?
-            } else {
-                first
-            };
-            if last < first {
-                self.at -= 1;
-                return Err(self.error("the last line stands before the first", ""));
-            }
-            ranges.push((first, last));
+            ranges.push(self.range()?);
             let start = self.at;
             let goes_on = self.take_separator() && {
                 self.take_any(&LINES);
@@ -281,18 +271,27 @@ impl Reader<'_> {
         }
     }
 
+    /// "5", "3 to 17"
+    fn range(&mut self) -> Read<(usize, usize)> {
+        let first = self.number()?;
+        let last = match self.take("to") {
+            true => self.number()?,
+            false => first,
+        };
+        if last < first {
+            self.at -= 1;
+            return Err(self.error("the last line stands before the first", ""));
+        }
+        Ok((first, last))
+    }
+
     /// The numbers of cells: "2 and 3", "0 to 7 and 9".
     pub(crate) fn cells(&mut self) -> Read<Vec<usize>> {
         let mut cells = vec![];
         loop {
-            let first = self.number()?;
-            let last = match self.take("to") {
-                true => self.number()?,
-                false => first,
-            };
-            if last < first || last - first >= MOST_EXTENTS {
-                self.at -= 1;
-                return Err(self.error("these cells are none or too many", "say `cells 2 to 5`"));
+            let (first, last) = self.range()?;
+            if last - first >= MOST_EXTENTS {
+                return Err(self.error("these are too many cells", ""));
             }
             cells.extend(first..=last);
             let start = self.at;
@@ -385,36 +384,34 @@ fn once(extent: &Extent, number: usize, formula: &str) -> Option<Extent> {
     }
 }
 
-/// Two extents at once. Lines of one cell are lines of that cell.
+/// Two extents at once. "Up to line 30 … , on lines 44 to 48 …": where no line is in both, it is the second.
 pub(crate) fn both(a: &Extent, b: &Extent) -> Extent {
+    common(a, b).unwrap_or_else(|| b.clone())
+}
+
+/// What two extents have in common; `None` where no line is in both. Lines of one cell are lines of that cell.
+pub(super) fn common(a: &Extent, b: &Extent) -> Option<Extent> {
+    use Extent::{Both, Cells, Document, Lines};
     match (a, b) {
-        (Extent::Document, other) | (other, Extent::Document) => other.clone(),
-        (
-            Extent::Cells(cells),
-            Extent::Lines {
-                cell: None,
-                first,
-                last,
-            },
-        ) if cells.len() == 1 => Extent::Lines {
-            cell: cells.first().copied(),
-            first: *first,
-            last: *last,
-        },
-        // "Up to line 30 … , on lines 44 to 48 …": no line is in both.
-        (
-            Extent::Lines { cell, first, last },
-            Extent::Lines {
-                cell: other_cell,
-                first: other_first,
-                last: other_last,
-            },
-        ) if cell == other_cell
-            && (last.is_some_and(|last| last < *other_first)
-                || other_last.is_some_and(|last| last < *first)) =>
-        {
-            b.clone()
+        (Document, other) | (other, Document) => Some(other.clone()),
+        (Cells(cells), Lines { cell, first, last }) if cell.is_none() && cells.len() == 1 => {
+            let (cell, first, last) = (cells.first().copied(), *first, *last);
+            Some(Lines { cell, first, last })
         }
-        _ => Extent::Both(Box::new(a.clone()), Box::new(b.clone())),
+        (
+            Lines { cell, first, last },
+            Lines {
+                cell: other,
+                first: from,
+                last: to,
+            },
+        ) if cell == other => {
+            let first = *first.max(from);
+            let last = [*last, *to].into_iter().flatten().min();
+            let some = last.is_none_or(|last| first <= last);
+            let cell = *cell;
+            some.then_some(Lines { cell, first, last })
+        }
+        _ => Some(Both(Box::new(a.clone()), Box::new(b.clone()))),
     }
 }

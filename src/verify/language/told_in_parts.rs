@@ -1,6 +1,6 @@
 //! What is said of letters that mean something else in each of several parts of the document: it is said in each part.
 
-use super::extent::both;
+use super::extent::common;
 use super::statement::{Declaration, Extent, Statement, Term};
 use std::collections::HashMap;
 
@@ -62,27 +62,4 @@ fn parts_of<'p>(
     });
     let parts = mentioned.find_map(|letter| parts.get(&letter.source));
     parts.filter(|parts| !parts.contains(&declaration.extent))
-}
-
-/// What two parts of the document have in common; `None` where no line is in both.
-fn common(one: &Extent, other: &Extent) -> Option<Extent> {
-    let (Some(own), Some(others)) = (range(one), range(other)) else {
-        return Some(both(one, other));
-    };
-    let (cell, first, last) = own;
-    if cell != others.0 {
-        return Some(both(one, other));
-    }
-    let first = first.max(others.1);
-    let last = [last, others.2].into_iter().flatten().min();
-    let some = last.is_none_or(|last| first <= last);
-    some.then_some(Extent::Lines { cell, first, last })
-}
-
-/// The lines of an extent: the cell, the first one and the last one.
-fn range(extent: &Extent) -> Option<(Option<usize>, usize, Option<usize>)> {
-    match extent {
-        Extent::Lines { cell, first, last } => Some((*cell, *first, *last)),
-        _ => None,
-    }
 }
