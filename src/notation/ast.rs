@@ -11,6 +11,7 @@ pub(crate) use alike::Shape;
 
 use crate::source::Span;
 use num_rational::BigRational;
+use num_traits::One;
 use std::hash::{Hash, Hasher};
 
 /// A piece of a formula and its place in the source.
@@ -20,6 +21,14 @@ pub struct Node {
     pub kind: Kind,
     /// Where it stands, decorations (`\underbrace`, `\boxed`, spaces inside) included.
     pub span: Span,
+}
+
+impl Node {
+    /// Whether −1 is written, as in the exponent of an inverse.
+    pub(crate) fn is_minus_one(&self) -> bool {
+        let one = |node: &Self| matches!(&node.kind, Kind::Number(n) if n.value.is_one());
+        matches!(&self.kind, Kind::Negate(inside) if one(inside))
+    }
 }
 
 /// What a [`Node`] is.

@@ -210,16 +210,16 @@ impl<'a> Lexer<'a> {
                 }
             }
             "qc" | "qcomma" => self.push(Lexeme::Char(','), start),
-            _ if word_between(name).is_some() => {
-                self.push(Lexeme::Text(word_between(name).unwrap_or_default()), start);
-            }
             _ if is_size(name) => self.sized = Some(start),
             _ if is_silent(name) => {}
             _ if says_nothing(name) => {
                 self.starred();
                 let _ = self.braced();
             }
-            _ => self.push(Lexeme::Command(name), start),
+            _ => self.push(
+                word_between(name).map_or(Lexeme::Command(name), Lexeme::Text),
+                start,
+            ),
         }
     }
 

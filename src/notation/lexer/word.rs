@@ -292,7 +292,7 @@ fn run(text: &str, kind: impl Fn(u8) -> bool) -> &str {
 
 /// The word of a command of the package physics that sets it between formulas.
 pub(super) fn word_between(name: &str) -> Option<&str> {
-    const WORDS: [&str; 16] = [
+    const WORDS: [&str; 19] = [
         "if",
         "then",
         "else",
@@ -309,9 +309,9 @@ pub(super) fn word_between(name: &str) -> Option<&str> {
         "odd",
         "integer",
         "and",
+        "or",
+        "as",
+        "in",
     ];
-    const MORE: [&str; 6] = ["or", "as", "in", "with", "where", "from"];
-    let word = name.strip_prefix('q')?;
-    let known = WORDS.iter().chain(&MORE).any(|known| *known == word);
-    known.then_some(word)
+    name.strip_prefix('q').filter(|word| WORDS.contains(word))
 }

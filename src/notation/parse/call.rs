@@ -5,7 +5,6 @@ use super::{Parser, split_outside};
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::token::Lexeme;
 use crate::source::Span;
-use num_traits::One;
 
 impl Parser<'_, '_> {
     /// `m(a+b)`, `R(t)`: the reader can't tell a product from a call, so it says that a list stands there. A power
@@ -86,12 +85,10 @@ fn may_be_matrix(node: &Node) -> bool {
 
 /// Whether a call is transposed or inverted.
 fn is_turned_or_inverted(node: &Node) -> bool {
-    let one = |node: &Node| matches!(&node.kind, Kind::Number(n) if n.value.is_one());
     match &node.kind {
         Kind::Transpose(inside) => matches!(inside.kind, Kind::Call(..)),
         Kind::Power(base, exponent) => {
-            matches!(base.kind, Kind::Call(..))
-                && matches!(&exponent.kind, Kind::Negate(inside) if one(inside))
+            matches!(base.kind, Kind::Call(..)) && exponent.is_minus_one()
         }
         _ => false,
     }

@@ -4,7 +4,6 @@ use super::Parser;
 use crate::notation::ast::{Bracket, Factor, Function, Kind, Node, Operator, Symbol};
 use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
-use num_traits::One;
 
 /// The function of that name.
 pub(super) fn named(name: &str) -> Option<Function> {
@@ -55,7 +54,7 @@ impl<'a> Parser<'_, 'a> {
         power = power.or_else(|| self.power_between_brackets());
         let argument = self.function_argument();
         let (function, power) = match power {
-            Some(exponent) if is_minus_one(&exponent) => (inverse(function), None),
+            Some(exponent) if exponent.is_minus_one() => (inverse(function), None),
             power => (function, power),
         };
         let kind = match (function, argument.kind) {
@@ -321,10 +320,6 @@ fn ungrouped(node: Node) -> Node {
             span: node.span,
         },
     }
-}
-
-fn is_minus_one(node: &Node) -> bool {
-    matches!(&node.kind, Kind::Negate(inner) if matches!(&inner.kind, Kind::Number(n) if n.value.is_one()))
 }
 
 fn inverse(function: Function) -> Function {

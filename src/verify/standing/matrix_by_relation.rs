@@ -34,7 +34,9 @@ impl Judge<'_> {
         let (name, letter) = &applied.letter;
         let mut lowering = self.lowering();
         lowering.value(letter).ok()?;
-        let new = lowering.unknown.contains_key(name) && !lowering.known.shapes.contains_key(name);
+        if !lowering.unknown.contains_key(name) || lowering.known.shapes.contains_key(name) {
+            return None;
+        }
         lowering.unknown.clear();
         let custom = lowering.custom();
         let [vector, told] = [&applied.vector, other].map(|node| {
@@ -49,7 +51,7 @@ impl Judge<'_> {
         // What an earlier line settles is known by its shape.
         let mut letters = lowering.unknown.keys();
         let all_told = letters.all(|letter| lowering.known.shapes.contains_key(letter));
-        let sure = new && all_told && !scale.is_zero();
+        let sure = all_told && !scale.is_zero();
         if !sure || vector.columns != 1 || told.columns != 1 || vector.rows != told.rows {
             return None;
         }
@@ -118,7 +120,7 @@ fn applied(side: &Node) -> Option<Applied<'_>> {
         return None;
     }
     let (letter, inverted) = match &factors[at].node.kind {
-        Kind::Power(base, exponent) if is_minus_one(exponent) => (&**base, true),
+        Kind::Power(base, exponent) if exponent.is_minus_one() => (&**base, true),
         _ => (&factors[at].node, false),
     };
     let name = lone(letter)?;
@@ -131,11 +133,6 @@ fn applied(side: &Node) -> Option<Applied<'_>> {
         inverted,
         vector: factors[at + 1].node.clone(),
     })
-}
-
-fn is_minus_one(exponent: &Node) -> bool {
-    let one = |node: &Node| matches!(&node.kind, Kind::Number(n) if n.value.is_one());
-    matches!(&exponent.kind, Kind::Negate(inner) if one(inner))
 }
 
 /// The rates, or the entries themselves, of which a column is made.
