@@ -1,4 +1,4 @@
-//! Sentences that are not understood and speak of words in formulas alone: "The word "const" means …".
+//! Sentences that are not understood and speak of words in formulas alone: "A member "const" says that …".
 
 use super::reader::Reader;
 use super::words::{Kind, Token};

@@ -42,7 +42,7 @@ pub(crate) fn value_at_which(tokens: &[Token]) -> Option<Vec<Token>> {
         _ => return None,
     };
     Some(vec![Token {
-        text: put_in(&equation, &letter.text, &value.text)?,
+        text: with_value(&equation, &letter.text, &value.text)?,
         ..formula.clone()
     }])
 }
@@ -60,7 +60,7 @@ fn behind<'t>(tokens: &'t [Token], words: &[&str]) -> Option<&'t [Token]> {
 
 /// A formula with something else wherever a letter stands; `None` where it does not stand. With a label or a prime behind it
 /// it is another letter.
-fn put_in(formula: &str, letter: &str, value: &str) -> Option<String> {
+fn with_value(formula: &str, letter: &str, value: &str) -> Option<String> {
     let (all, own) = (pieces(formula), pieces(letter.trim()));
     let (mut new, mut at, mut any) = (String::new(), 0, false);
     while let Some(piece) = all.get(at) {

@@ -25,9 +25,10 @@ impl Builder<'_> {
             .map(|term| self.number_of_axis(term))
             .collect();
         // The first turn is about an axis of both kinds.
-        let mut later = what.all(Slot::InOrder).skip(1);
-        let fixed = later.any(is_fixed_axis);
-        if fixed && !what.all(Slot::InOrder).skip(1).all(is_fixed_axis) {
+        let later = what.all(Slot::InOrder).skip(1);
+        let (fixed, turning): (Vec<&Term>, Vec<&Term>) =
+            later.partition(|axis| is_fixed_axis(axis));
+        if !fixed.is_empty() && !turning.is_empty() {
             return self.say_unused(declaration);
         }
         let frame = what.slot(Slot::Of).and_then(|term| self.frame(term));
@@ -47,7 +48,7 @@ impl Builder<'_> {
         }
         let mut order = order;
         // Turns about axes that stay are turns about those that turn, from the last one to the first.
-        if fixed {
+        if !fixed.is_empty() {
             order.reverse();
             angles.reverse();
         }

@@ -68,7 +68,7 @@ pub(crate) enum Touches {
 pub(crate) struct Written<'n> {
     pub(crate) nodes: &'n [&'n Node],
     pub(crate) unknown: &'n [String],
-    /// The lines on which they stand, as they are written.
+    /// The text of the document.
     pub(crate) text: &'n str,
 }
 
@@ -79,7 +79,10 @@ impl Unused {
         let mut nodes = written.nodes.iter();
         match &self.touches {
             Touches::Everything => true,
-            Touches::Words(words) => words.iter().any(|word| written.text.contains(word)),
+            Touches::Words(words) => {
+                let lines = lines_of(written);
+                words.iter().any(|word| lines.contains(word))
+            }
             Touches::Signs(signs) => nodes.any(|node| signs.iter().any(|sign| carries(node, sign))),
             Touches::Written(wholes) => {
                 nodes.any(|node| wholes.iter().any(|whole| stands_in(node, whole)))
@@ -179,6 +182,20 @@ pub(super) fn array_said(term: &Term) -> Option<&Formula> {
         Term::Phrase(parts) if PARTS.contains(&parts.head) => letter_of(parts.slot(Slot::Of)?),
         _ => None,
     }
+}
+
+/// The lines of the text on which formulas stand, to their ends.
+fn lines_of(written: Written<'_>) -> &str {
+    let Written { nodes, text, .. } = written;
+    let start = nodes.iter().map(|node| node.span.start as usize).min();
+    let end = nodes.iter().map(|node| node.span.end as usize).max();
+    let (Some(start), Some(end)) = (start, end) else {
+        return "";
+    };
+    let first = text.get(..start).and_then(|before| before.rfind('\n'));
+    let last = text.get(end..).and_then(|behind| behind.find('\n'));
+    let (first, last) = (first.unwrap_or(0), last.map_or(text.len(), |at| end + at));
+    text.get(first..last).unwrap_or(text)
 }
 
 fn stands_in(node: &Node, whole: &str) -> bool {

@@ -58,7 +58,7 @@ impl Judge<'_> {
         match self.reading.unused.is_empty() {
             true => None,
             false => {
-                let text = lines_of(&self.document.source.text, nodes);
+                let text = &self.document.source.text;
                 let written = Written {
                     nodes,
                     unknown,
@@ -73,19 +73,6 @@ impl Judge<'_> {
     pub(super) fn unread_rule(&self) -> Option<&str> {
         self.unread_of(&[], &[])
     }
-}
-
-/// The lines of a text on which formulas stand, to their ends.
-fn lines_of<'t>(text: &'t str, nodes: &[&Node]) -> &'t str {
-    let start = nodes.iter().map(|node| node.span.start as usize).min();
-    let end = nodes.iter().map(|node| node.span.end as usize).max();
-    let (Some(start), Some(end)) = (start, end) else {
-        return "";
-    };
-    let first = text.get(..start).and_then(|before| before.rfind('\n'));
-    let last = text.get(end..).and_then(|behind| behind.find('\n'));
-    let (first, last) = (first.unwrap_or(0), last.map_or(text.len(), |at| end + at));
-    text.get(first..last).unwrap_or(text)
 }
 
 fn letters_in<'n>(nodes: impl IntoIterator<Item = &'n Node>) -> BTreeSet<String> {
