@@ -2,6 +2,17 @@
 
 use super::judged;
 
+/// A frame that turns about an axis by an angle, and what is said of it besides.
+fn turning_by(angle: &str, more: &str) -> String {
+    format!(
+        r"N is an inertial frame.
+$x, y, z$ are the axes of N.
+A turns relative to N about z by the angle ${angle}$.
+$w$ is the angular velocity of A relative to N.
+{more}"
+    )
+}
+
 #[test]
 fn what_is_zero_at_the_top_is_not_zero_before() {
     let sentences = r"
@@ -46,88 +57,64 @@ $$ F = m\dot v $$
 
 #[test]
 fn a_premise_of_the_instant_considered_has_no_rate() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-A turns relative to N about z by the angle $a$.
-$w$ is the angular velocity of A relative to N.
-$\dot a = 0$ at the instant considered.
-";
+    let sentences = turning_by("a", r"$\dot a = 0$ at the instant considered.");
     let text = r"
 $$ \ddot a = 0 $$
 $$ \dot w = 0 $$
 $$ w = \dot a z $$
 ";
-    assert_eq!(judged(sentences, text), "uup");
+    assert_eq!(judged(&sentences, text), "uup");
 }
 
 #[test]
 fn what_holds_now_has_no_rate() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-A turns relative to N about z by the angle $a$.
-$w$ is the angular velocity of A relative to N.
-Now $a=0$.
-";
+    let sentences = turning_by("a", r"Now $a=0$.");
     let text = r"
 $$ \dot a = 0 $$
 $$ w = 0 $$
 ";
-    assert_eq!(judged(sentences, text), "uu");
+    assert_eq!(judged(&sentences, text), "uu");
 }
 
 #[test]
 fn what_holds_for_a_while_is_no_premise_for_ever() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-A turns relative to N about z by the angle $a$.
-$w$ is the angular velocity of A relative to N.
-$\dot a$ is constant while $t<t_1$.
-";
+    let sentences = turning_by("a", r"$\dot a$ is constant while $t<t_1$.");
     let text = r"
 $$ \dot w = 0 $$
 $$ t < t_1 $$
 $$ w = \dot a z $$
 ";
-    assert_eq!(judged(sentences, text), "uup");
+    assert_eq!(judged(&sentences, text), "uup");
 }
 
 #[test]
 fn a_given_line_that_holds_at_an_instant_has_no_rate() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-A turns relative to N about z by the angle $\theta$.
-$w$ is the angular velocity of A relative to N.
-Line 2 is given.
-Line 2 holds at $t=0$.
-";
+    let sentences = turning_by(
+        r"\theta",
+        r"Line 2 is given.
+Line 2 holds at $t=0$.",
+    );
     let text = r"
 $$ \theta = 0 $$
 $$ \dot\theta = 0 $$
 $$ w = 0 $$
 ";
-    assert_eq!(judged(sentences, text), "arr");
+    assert_eq!(judged(&sentences, text), "arr");
 }
 
 #[test]
 fn a_line_that_holds_at_a_time_in_words_tells_nothing_of_others() {
-    let sentences = r"
-N is an inertial frame.
-$x, y, z$ are the axes of N.
-A turns relative to N about z by the angle $a$.
-$w$ is the angular velocity of A relative to N.
-Line 2 is given.
-Line 2 holds at the end.
-";
+    let sentences = turning_by(
+        "a",
+        r"Line 2 is given.
+Line 2 holds at the end.",
+    );
     let text = r"
 $$ \dot a = 0 $$
 $$ \ddot a = 0 $$
 $$ w = 0 $$
 ";
-    assert_eq!(judged(sentences, text), "auu");
+    assert_eq!(judged(&sentences, text), "auu");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Lines that one edit makes false, where a premise, a letter or another reading would have carried them.
 
-use super::{BODY, judged};
+use super::{BODY, Format, Sheet, Source, check_declared, declarations, judged, read, sentences};
 
 #[test]
 fn a_distance_of_several_letters_changes_with_each_of_which_a_rate_is_written() {
@@ -77,4 +77,89 @@ $$ b = -\sin\alpha\,n + \cos\alpha\,w $$
 $$ b = \sin\alpha\,n + \cos\alpha\,w $$
 ";
     assert_eq!(judged(said, text), "pu");
+}
+
+/// What puts each false line right: the name of the slip, and the line as it should stand.
+#[test]
+fn each_slip_in_a_component_is_named() {
+    let said = format!(
+        "{BODY}$p$, $q$, $r$ are the components of $\\vec\\omega$ on B.
+$A$, $B$, $C$ are the principal moments of the body about G on B.
+$M_x$, $M_y$, $M_z$ are the components of $\\vec M$ on B.
+"
+    );
+    let slips = [
+        (
+            r"M_x = A p - (B - C)qr",
+            "missing-dot",
+            r"M_x = A \dot p - (B - C)qr",
+        ),
+        (
+            r"M_x = A\dot p - (B - C)\dot q r",
+            "extra-dot",
+            r"M_x = A\dot p - (B - C)q r",
+        ),
+        (
+            r"M_x = A\dot p - (C - B)qr",
+            "sign",
+            r"M_x = A\dot p + (C - B)qr",
+        ),
+        (
+            r"M_x = A\dot p - (B + C)qr",
+            "sign",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+        (
+            r"-M_x = A\dot p - (B - C)qr",
+            "sign",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+        (
+            r"M_x = A\dot p - (B - C)qp",
+            "symbol",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+        (
+            r"M_x = A\dot p - (B - A)qr",
+            "symbol",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+        (
+            r"M_z = A\dot p - (B - C)qr",
+            "index",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+        (
+            r"M_x = \frac{1}{2}A\dot p - (B - C)qr",
+            "factor",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+        (
+            r"M_x = A\dot p + Cqr - Bqr + pq",
+            "extra-term",
+            r"M_x = A\dot p + Cqr - Bqr",
+        ),
+        // Moments of inertia never change: no dot was lost here.
+        (
+            r"M_x = A\dot p - (B - C)qr - q A",
+            "extra-term",
+            r"M_x = A\dot p - (B - C)qr",
+        ),
+    ];
+    let text: String = slips
+        .iter()
+        .map(|(line, ..)| format!("$$ {line} $$\n"))
+        .collect();
+    let (document, _) = read("a document", &text, Format::Markdown);
+    let sheet = Sheet {
+        sentences: sentences(&said),
+        source: Source::new("what is declared", said),
+    };
+    let report = check_declared(&document, &declarations(&document, &[sheet]));
+    for (finding, (line, kind, right)) in report.findings.iter().zip(slips) {
+        let diagnosis = finding.diagnosis.as_ref();
+        let found = diagnosis.map(|d| (d.kind, d.suggestion.as_deref().unwrap_or_default()));
+        assert_eq!(found, Some((kind, right)), "{line}");
+    }
+    assert_eq!(report.findings.len(), slips.len());
 }
