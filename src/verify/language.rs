@@ -110,6 +110,7 @@ pub(crate) mod terms;
 mod the_axis;
 mod there;
 mod together;
+mod told_anew;
 mod told_apart;
 mod told_in_parts;
 mod triads;

@@ -92,11 +92,12 @@ fn plain_axis(axis: &Term, letter: Term) -> Term {
     Term::Phrase(Box::new(NounPhrase::new("axis", slots)))
 }
 
-fn replace(term: &mut Term, axis: &Term, plain: &Term) {
-    if term == axis {
-        term.clone_from(plain);
+/// A term in the place of another one, in a phrase as well.
+pub(super) fn replace(term: &mut Term, old: &Term, new: &Term) {
+    if term == old {
+        term.clone_from(new);
     } else if let Term::Phrase(phrase) = term {
         let inner = phrase.slots.iter_mut();
-        inner.for_each(|(_, term)| replace(term, axis, plain));
+        inner.for_each(|(_, term)| replace(term, old, new));
     }
 }

@@ -51,6 +51,7 @@ use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
 use super::suspended::tell_suspended;
 use super::together::join_together;
+use super::told_anew::part_points_told_anew;
 use super::told_in_parts::say_in_parts;
 use super::triads::name_triads;
 use super::turned_lines::turn_lines;
@@ -81,6 +82,7 @@ pub(crate) fn in_plain_terms(
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
     turn_about_axes(&mut declarations);
+    part_points_told_anew(&mut declarations);
     say_in_parts(declarations)
 }
 

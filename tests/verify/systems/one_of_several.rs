@@ -161,3 +161,31 @@ $$ d = \dot s i+\Omega s j $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_mass_centre_told_anew_in_a_part_is_another_point_there() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the aircraft.
+$x, y, z$ are the axes of B.
+G is the mass centre of the aircraft.
+On lines 7 to 12 G is the mass centre of the hull.
+On lines 7 to 12 the aircraft consists of the hull and S.
+S is a particle of mass $m$ fixed in B.
+$\rho$ is the position of S from G in components on B.
+$D$ is the inertia tensor of S about G in components on B.
+$J$ is the inertia tensor of the hull about G in components on B.
+$K$ is the inertia tensor of the aircraft about G in components on B.
+$[\rho]_\times$ is the cross-product matrix of $\rho$.
+";
+    let text = r"
+$$ K = K^T $$
+
+
+
+$$ D = -m [\rho]_\times^2 $$
+$$ K = J + D $$
+";
+    assert_eq!(judged(sentences, text), "ppp");
+    assert_ne!(judged(sentences, &text.replace("J + D", "J - D")), "ppp");
+}
