@@ -35,6 +35,7 @@ pub(crate) mod cues;
 mod decide;
 mod declare;
 mod disturbed;
+mod element_places;
 mod ellipsis;
 mod entries;
 mod every_axis;

@@ -10,6 +10,7 @@ use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
+use super::element_places::place_elements;
 use super::entries::{tell_entries, tell_parts};
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
@@ -134,6 +135,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
 /// Members of families, by their numbers and names.
 fn count_members(declarations: &mut Vec<Declaration>) {
     name_members(declarations);
+    place_elements(declarations);
     number_counted(declarations);
     fix_particles(declarations);
     lay_in_turn(declarations);
