@@ -89,6 +89,7 @@ mod possessions;
 mod predicate;
 mod print;
 mod quoted_words;
+pub(crate) mod rate_letters;
 mod rate_matrices;
 mod reader;
 mod reorder;

@@ -1,14 +1,15 @@
 //! A point by the element of a body that is there: what is said of its place is said of the place of the element.
 
 use super::fixed_axes::replace;
-use super::statement::{Declaration, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, Slot, Statement, Term};
 
 /// What bodies that are spread out are made of.
 const ELEMENT: &str = "element";
 
 /// "p is the point of element `dm`. `$r$` is the position of p from O": r is the position of the element.
 pub(crate) fn place_elements(declarations: &mut Vec<Declaration>) {
-    let places: Vec<(Term, Term)> = declarations.iter().filter_map(place_of_element).collect();
+    let whole = declarations.iter().filter(|d| d.extent == Extent::Document);
+    let places: Vec<(Term, Term)> = whole.filter_map(place_of_element).collect();
     for (point, element) in places {
         declarations.retain(|d| !d.statement.subjects().contains(&point));
         for declaration in declarations.iter_mut() {
@@ -20,7 +21,7 @@ pub(crate) fn place_elements(declarations: &mut Vec<Declaration>) {
 }
 
 /// A point, and the element whose place alone it is.
-fn place_of_element(declaration: &Declaration) -> Option<(Term, Term)> {
+pub(super) fn place_of_element(declaration: &Declaration) -> Option<(Term, Term)> {
     let Statement::Is { subjects, what } = &declaration.statement else {
         return None;
     };

@@ -7,6 +7,7 @@ use crate::verify::language::heads::{
     QUATERNION_PRODUCT, RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR,
     TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
 };
+use crate::verify::language::rate_letters::rate_letter;
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
 };
@@ -185,7 +186,7 @@ impl Builder<'_> {
 
     fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
         let reach = reach_of(&declaration.extent);
-        if self.read_custom(sign, meaning, &reach) {
+        if self.read_custom(sign, meaning, &reach) || rate_letter(declaration).is_some() {
             return;
         }
         if let (Sign::Label { labels, .. }, NotationMeaning::Noun(instants)) = (sign, meaning)

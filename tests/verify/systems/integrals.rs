@@ -156,3 +156,24 @@ $$ d\tau = a\times r\,dm $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_point_is_an_element_where_a_part_of_the_document_says_so() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+O is a point fixed in B.
+The body consists of elements $dm$.
+On lines 4 to 9 P is the place of element $dm$.
+$r$ is the position of P from O.
+$w$ is the angular velocity of B relative to N.
+$v$ is the rate of $r$ seen from N.
+";
+    let text = r"
+$$ v = w\times r $$
+
+
+$$ v = w\times r $$
+";
+    assert_eq!(judged(sentences, text), "rp");
+}
