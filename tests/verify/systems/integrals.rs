@@ -164,6 +164,7 @@ N is an inertial frame.
 B is a frame fixed in the body.
 O is a point fixed in B.
 The body consists of elements $dm$.
+P is a point.
 On lines 4 to 9 P is the place of element $dm$.
 $r$ is the position of P from O.
 $w$ is the angular velocity of B relative to N.
