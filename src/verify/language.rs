@@ -45,6 +45,7 @@ mod flat_bodies;
 mod forms;
 mod frames_by_adjective;
 mod gaps;
+mod generalised_momenta;
 mod gyration;
 mod hanging;
 pub(crate) mod heads;

@@ -14,6 +14,7 @@ use super::element_places::place_elements;
 use super::entries::{tell_entries, tell_parts};
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
+use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
@@ -83,6 +84,7 @@ pub(crate) fn in_plain_terms(
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
     turn_about_axes(&mut declarations);
+    tell_generalised_momenta(&mut declarations);
     part_points_told_anew(&mut declarations);
     say_in_parts(declarations)
 }
