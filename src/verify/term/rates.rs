@@ -4,13 +4,14 @@ use crate::algebra::{Fraction, Place, Variable};
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
-use crate::verify::term::letters::{Effect, Mark, spell};
+use crate::verify::term::letters::{Effect, Mark, spell, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
 /// Why a partial derivative is not worked out.
 const DRIVEN: &str = "a partial derivative of an acceleration or a load";
+    "a partial derivative at a constant value of what is no free variable";
 const NOT_FREE: &str = "a partial derivative in something that is no free variable";
 
 impl Lowering<'_> {
@@ -173,7 +174,7 @@ impl Lowering<'_> {
         if by.is_scalar() && !partial {
             return self.along_motion(&value, &by);
         }
-        self.partial(&value, &by)
+        self.partial(&value, variable, &by)
     }
 
     /// df/dx where both move: the quotient of the rates.
@@ -186,11 +187,15 @@ impl Lowering<'_> {
         self.system.quotient(&top, &bottom)
     }
 
-    /// What the author says that ∂/∂x takes functions of, where that is said.
-    fn arguments_with(&mut self, by: &Value) -> Result<Vec<Variable>, Trouble> {
-        for list in self.letters.arguments.clone() {
+    /// What the author says that ∂/∂x takes functions of, where that is said; of those that name x no other is looked at.
+    fn arguments_with(&mut self, x: &Node, by: &Value) -> Result<Vec<Variable>, Trouble> {
+        let written = spelled(x);
+        let lists = self.letters.arguments.clone();
+        let names = |list: &&Vec<Node>| list.iter().any(|node| spelled(node) == written);
+        let (naming, others): (Vec<_>, Vec<_>) = lists.iter().partition(names);
+        for list in if naming.is_empty() { others } else { naming } {
             let mut arguments = vec![];
-            for node in &list {
+            for node in list {
                 arguments.extend(self.value(node)?.entries);
             }
             if by.entries.iter().all(|entry| arguments.contains(entry)) {
@@ -207,8 +212,8 @@ impl Lowering<'_> {
     }
 
     /// ∂f/∂x, with everything that laws tell put in and all other free variables, or arguments, held fixed.
-    fn partial(&mut self, value: &Value, by: &Value) -> Valued {
-        let kept = self.arguments_with(by)?;
+    fn partial(&mut self, value: &Value, x: &Node, by: &Value) -> Valued {
+        let kept = self.arguments_with(x, by)?;
         let mut expanded = vec![];
         for entry in &value.entries {
             // What a letter depends on of which nothing is told, nobody knows.
