@@ -99,7 +99,7 @@ pub(super) struct Again {
     /// Those of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
     /// The accepted ones that define letters.
-    defining: Vec<(Source, Vec<Link>)>,
+    pub(super) defining: Vec<(Source, Vec<Link>)>,
     /// Lines that are taken as given and of which nothing was made.
     pub(super) not_taken_in: Vec<Source>,
     /// What links came to in other documents; none once a line of this one was taken into the facts.
@@ -362,7 +362,7 @@ impl<'a> Judge<'a> {
         let standing = |h: &Held| match (h.standing, purpose.role) {
             // What an author declares to be a definition is assumed: it may fix what sentences leave free.
             (Standing::Denied, Role::Define) if purpose.declared && !h.sides.is_empty() => {
-                Standing::Free
+                self.assumed_definition(line)
             }
             (Standing::Denied, Role::Claim | Role::Define) if chooses => Standing::Settles,
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,

@@ -1,9 +1,12 @@
 //! What a line is for, by the words that lead into it.
 
-use crate::notation::ast::{Kind, Node};
+use crate::notation::ast::{Kind, Line, Node};
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues, denies_assumption};
 use crate::verify::standing::chains::Link;
+use crate::verify::standing::judge::Judge;
+use crate::verify::standing::verdicts::Standing;
+use crate::verify::term::letters::spelled;
 
 /// What stands in a sentence for a relation.
 pub(crate) const RELATION: &str = "⟨=⟩";
@@ -122,6 +125,20 @@ pub(crate) fn purpose(sentence: &str) -> Purpose {
         };
     }
     purpose
+}
+
+impl Judge<'_> {
+    /// How a line stands that does not hold but is declared a definition: of a letter that another line has defined nobody
+    /// knows which of the two holds.
+    pub(super) fn assumed_definition(&self, line: &Line) -> Standing {
+        let letter = line.sides.first().map(spelled);
+        let defined = |link: &Link| Some(spelled(&link.left)) == letter;
+        let mut before = self.again.defining.iter().flat_map(|(_, links)| links);
+        match before.any(defined) {
+            true => Standing::Open,
+            false => Standing::Free,
+        }
+    }
 }
 
 /// What stands behind the last formula that ends a paragraph, and what stands before that, if there is one.

@@ -11,7 +11,6 @@ use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
 
 /// Why a partial derivative is not worked out.
 const DRIVEN: &str = "a partial derivative of an acceleration or a load";
-    "a partial derivative at a constant value of what is no free variable";
 const NOT_FREE: &str = "a partial derivative in something that is no free variable";
 
 impl Lowering<'_> {
