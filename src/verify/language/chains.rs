@@ -14,7 +14,11 @@ const NEIGHBOURS: [&str; 3] = ["-1", "", "+1"];
 /// neighbours that others speak of.
 pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
     let terms = || declarations.iter().flat_map(|d| d.statement.terms());
-    let Some(letter) = terms().find_map(neighbour) else {
+    let among_frames = || {
+        let mut letters = terms().filter_map(beside_letter);
+        letters.find(|letter| declarations.iter().any(|d| is_frame(&d.statement, letter)))
+    };
+    let Some(letter) = terms().find_map(neighbour).or_else(among_frames) else {
         return;
     };
     if declarations
@@ -92,9 +96,29 @@ fn neighbour(term: &Term) -> Option<String> {
         Term::Phrase(phrase) => number_of_frame(phrase)?,
         _ => return None,
     };
+    beside(index)
+}
+
+/// The letter of "`$i+1$`", where nothing says of what that is the number.
+fn beside_letter(term: &Term) -> Option<String> {
+    match term {
+        Term::Formula(index) => beside(index),
+        _ => None,
+    }
+}
+
+fn beside(index: &Formula) -> Option<String> {
     let index = number(index);
     let letter = index.strip_suffix("+1").or(index.strip_suffix("-1"))?;
     (letter.len() == 1).then(|| letter.to_owned())
+}
+
+/// "Frame `$i$` is a frame": the letter alone stands for it.
+fn is_frame(statement: &Statement, letter: &str) -> bool {
+    match statement {
+        Statement::Is { subjects, what } => what.head == "frame" && counts_by(subjects, letter),
+        _ => false,
+    }
 }
 
 /// Whether a sentence says that the letter is something else: a unit vector.

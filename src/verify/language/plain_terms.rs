@@ -21,6 +21,7 @@ use super::kinds::{
     fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
     show_frames, tell_axes, tell_mass_centres,
 };
+use super::laid_by_angles::lay_by_angles;
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};
 use super::listed_loads::act_as_listed;
@@ -31,6 +32,7 @@ use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
+use super::origins::name_origins;
 use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::placed_centres::name_placed_centres;
@@ -99,6 +101,7 @@ fn name_things(
     name_by_agents(&mut declarations);
     tell_own_notation(&mut declarations);
     name_frames_by_numbers(&mut declarations);
+    name_origins(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
     write_letters(&mut declarations, lexicon, macros);
@@ -175,6 +178,7 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     place_at_zero(declarations);
     tell_hinges(declarations);
     name_ends(declarations);
+    lay_by_angles(declarations, macros);
     begin_rods(declarations, macros);
     name_placed_centres(declarations);
 }
