@@ -1,18 +1,20 @@
 //! Chains of numbered things: "frame `$i$` is fixed in link `$i$`, joint `$i$` is fixed in link `$i-1$` and in link `$i$`". Where
 //! sentences speak of neighbours, each thing is one of its own, called by its number.
 
+use super::chain_letters::{is_told_for_each, letters_of_others};
 use super::heads::UNIT_VECTOR;
+use super::messages::numbered_frame;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
 
 /// The neighbours in a chain, by what their numbers have behind the letter.
-const NEIGHBOURS: [&str; 3] = ["-1", "", "+1"];
+pub(super) const NEIGHBOURS: [&str; 3] = ["-1", "", "+1"];
 
 /// Gives the things of a chain their names. What a sentence says of the frames and joints with any number it says of the
 /// neighbours that others speak of.
-pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
+pub(crate) fn name_chains(declarations: &mut Vec<Declaration>, macros: &Macros) {
     let terms = || declarations.iter().flat_map(|d| d.statement.terms());
     let among_frames = || {
         let mut letters = terms().filter_map(beside_letter);
@@ -28,10 +30,11 @@ pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
         return;
     }
     let things: BTreeSet<String> = terms().filter_map(|term| thing(term, &letter)).collect();
-    let mut told = vec![];
+    let mut told = letters_of_others(declarations, &letter, &things, macros);
     for mut declaration in declarations.drain(..) {
         let counting = declaration.statement.does("number");
-        if counting.is_some_and(|(subjects, _)| counts_by(subjects, &letter)) {
+        let counts = counting.is_some_and(|(subjects, _)| counts_by(subjects, &letter));
+        if counts || is_told_for_each(&declaration, &told) {
             continue;
         }
         without_any(&mut declaration.statement, &letter);
@@ -49,19 +52,22 @@ pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
         if let Some(fixed) = fixed_axis(&declaration.statement) {
             declaration.statement = fixed;
         }
+        carry_frames(&mut declaration.statement);
     }
     told.extend(unit_vectors(&told));
     *declarations = told;
 }
 
 /// The name of a numbered thing: "link i-1". A number alone is that of a frame.
-fn thing(term: &Term, letter: &str) -> Option<String> {
+pub(super) fn thing(term: &Term, letter: &str) -> Option<String> {
     let (family, index) = match term {
         Term::Member { family, index } => (family.as_str(), index),
         Term::Formula(index) => ("frame", of_chain(index, letter)?),
         Term::Phrase(phrase) => match phrase.slots.as_slice() {
             [(Slot::Which, Term::Numbers(numbers))] if phrase.head == "frame" => {
-                return numbers.first().map(|number| format!("frame {number}"));
+                return numbers
+                    .first()
+                    .map(|number| numbered_frame(&number.to_string()));
             }
             _ => ("frame", of_chain(number_of_frame(phrase)?, letter)?),
         },
@@ -114,7 +120,7 @@ fn beside(index: &Formula) -> Option<String> {
 }
 
 /// "Frame `$i$` is a frame": the letter alone stands for it.
-fn is_frame(statement: &Statement, letter: &str) -> bool {
+pub(super) fn is_frame(statement: &Statement, letter: &str) -> bool {
     match statement {
         Statement::Is { subjects, what } => what.head == "frame" && counts_by(subjects, letter),
         _ => false,
@@ -255,6 +261,11 @@ fn name_all(statement: &mut Statement, letter: &str) {
 /// "of frame `$i$` relative to frame 0": what stands behind the number hangs on the noun before.
 fn behind_number(term: &mut Term) -> Vec<(Slot, Term)> {
     match term {
+        // "the velocity of the origin of frame `$i$` relative to frame 0"
+        Term::Phrase(of) if of.head == "origin" => {
+            let slots = of.slots.iter_mut();
+            slots.flat_map(|(_, term)| behind_number(term)).collect()
+        }
         Term::Phrase(frame) if frame.head == "frame" && frame.slot(Slot::Which).is_some() => {
             let number = frame
                 .slots
@@ -290,6 +301,19 @@ fn fixed_axis(statement: &Statement) -> Option<Statement> {
     let fixed = fixed.map(|frame| (Slot::FixedIn, frame.clone()));
     let what = NounPhrase::new(UNIT_VECTOR, fixed.collect());
     Some(Statement::one_is(Term::Formula(axis), what))
+}
+
+/// "Frame 3 is fixed in link 2": it is a frame that is.
+fn carry_frames(statement: &mut Statement) {
+    if let Statement::Is { subjects, what } = statement
+        && what.head == "fixed"
+        && what.slot(Slot::FixedIn).is_some()
+        && subjects
+            .iter()
+            .all(|s| matches!(s, Term::Name(n) if n.starts_with(&numbered_frame(""))))
+    {
+        what.head = "frame";
+    }
 }
 
 fn is_joint_axis(term: &Term) -> bool {

@@ -55,3 +55,8 @@ pub(crate) const OTHER_MOTIONS: &str = "what is told of this motion may hold in 
 pub(crate) fn origin_of(frame: &str) -> String {
     format!("origin of {frame}")
 }
+
+/// The name of a frame that is called by its number.
+pub(crate) fn numbered_frame(number: &str) -> String {
+    format!("frame {number}")
+}

@@ -49,8 +49,17 @@ fn frame_of(what: &NounPhrase) -> Option<String> {
     }
 }
 
-/// "The origin of B is the origin of A": it lies there.
+/// "The origin of B is the origin of A": it lies there. "The origin of B is fixed in A": it is a point fixed there.
 fn meet(statement: &mut Statement, called: &mut impl FnMut(&Term) -> Option<Term>) {
+    if let Statement::Premise(premise) = statement
+        && premise.head == "origin"
+        && premise.is("fixed")
+        && let Some(point) = premise.slot(Slot::Of).and_then(&mut *called)
+    {
+        premise.slots.retain(|(slot, _)| *slot != Slot::Of);
+        let slots = std::mem::take(&mut premise.slots);
+        *statement = Statement::one_is(point, NounPhrase::new("point", slots));
+    }
     let Statement::Is { subjects, what } = statement else {
         return;
     };

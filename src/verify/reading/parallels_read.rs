@@ -172,6 +172,9 @@ impl Builder<'_> {
         let (slot, way) = match ways.as_slice() {
             [] => return self.move_freely(subjects, frame),
             [way] => way,
+            [(Slot::Along, way), (Slot::At, rate)] => {
+                return self.hold_rate_along(subjects, way, rate, frame, declaration);
+            }
             _ => return None,
         };
         if let (Slot::Along, Term::Phrase(axis)) = (slot, way)
@@ -232,6 +235,35 @@ impl Builder<'_> {
         let velocity = self.system().velocity(point, frame);
         self.hold_zero(&cross(axis, &velocity), declaration);
         self.hold_smooth_force(mover, axis, declaration)
+    }
+
+    /// "P moves relative to A along z at the rate `$v$`": that is its velocity.
+    fn hold_rate_along(
+        &mut self,
+        subjects: &[Term],
+        way: &Term,
+        rate: &Term,
+        frame: FrameId,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let rate = match rate {
+            Term::Phrase(rate) if matches!(rate.head, "rate" | "speed") => {
+                rate.slot(Slot::Which)?
+            }
+            rate => rate,
+        };
+        let Term::Formula(rate) = rate else {
+            return None;
+        };
+        let rate = self.scalar(&rate.clone(), declaration)?;
+        let axis = self.axis_vector(way, declaration)?;
+        for mover in subjects {
+            let point = self.moving_point(mover, frame)?;
+            let velocity = self.system().velocity(point, frame);
+            self.hold_zero(&(velocity - axis.clone() * rate.clone()), declaration);
+            self.hold_smooth_force(mover, &axis, declaration)?;
+        }
+        Some(())
     }
 
     /// "P moves relative to A": nothing holds it there.

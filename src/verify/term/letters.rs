@@ -1,6 +1,7 @@
 //! What letters, marks, labels and operators mean, and for which part of the document.
 
 use crate::notation::ast::{Kind, Node};
+use crate::verify::language::messages::numbered_frame;
 use crate::verify::model::blows::Side;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::customs::Customs;
@@ -357,7 +358,10 @@ impl Letters {
 
     /// What a frame above a letter does to it, where that is a custom.
     pub(crate) fn raised_frame(&self, label: &str) -> Option<Effect> {
-        let frame = self.frame(label).filter(|_| self.customs.raised_frames);
+        // One that is called by its number has this for a label.
+        let numbered = || self.frame(&numbered_frame(label));
+        let frame = self.frame(label).or_else(numbered);
+        let frame = frame.filter(|_| self.customs.raised_frames);
         frame.map(Effect::ComponentsOn)
     }
 
