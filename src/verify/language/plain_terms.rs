@@ -50,6 +50,7 @@ use super::same::{
 };
 use super::senses::tell_senses;
 use super::sides::tell_sides;
+use super::sizes_aside::give_sizes_aside;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
 use super::suspended::tell_suspended;
@@ -96,6 +97,7 @@ fn name_things(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
+    give_sizes_aside(&mut declarations);
     take_along_axes(&mut declarations);
     take_across_planes(&mut declarations);
     tell_senses(&mut declarations, macros);

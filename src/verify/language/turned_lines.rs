@@ -6,6 +6,7 @@ use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::turned_triads::turn_triads;
 use super::turned_vectors::turn_vectors;
 use crate::notation::Macros;
 
@@ -22,6 +23,7 @@ pub(super) struct Direction {
 /// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_vectors(declarations, macros);
+    turn_triads(declarations, macros);
     let mut at = 0;
     while at < declarations.len() {
         let turned = turned(&declarations[at].statement, declarations, macros);
@@ -78,7 +80,7 @@ fn turned(
 
 /// The number of the axis about which a line turns from a direction, and whether it turns forwards about it: towards another
 /// direction, or about a third one.
-fn sense(
+pub(super) fn sense(
     what: &NounPhrase,
     from: &Direction,
     declarations: &[Declaration],
