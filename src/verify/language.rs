@@ -53,6 +53,7 @@ mod implied;
 mod in_lists;
 mod in_turn;
 mod inclinations;
+mod inclined_frames;
 mod introduce;
 mod kept;
 mod kinds;

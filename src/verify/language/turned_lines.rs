@@ -1,6 +1,7 @@
 //! Lines that are told by their angle with an axis, towards another one: they turn in the plane of both.
 
 use super::heads::{POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS, VERTICAL};
+use super::inclined_frames::incline_frames;
 use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
@@ -24,6 +25,7 @@ pub(super) struct Direction {
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_vectors(declarations, macros);
     turn_triads(declarations, macros);
+    incline_frames(declarations, macros);
     let mut at = 0;
     while at < declarations.len() {
         let turned = turned(&declarations[at].statement, declarations, macros);
