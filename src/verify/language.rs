@@ -100,6 +100,7 @@ mod rewrite;
 mod rewrite_rules;
 mod rigid_wholes;
 mod roles;
+mod said_otherwise;
 mod same;
 mod same_lines;
 mod senses;

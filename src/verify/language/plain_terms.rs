@@ -45,6 +45,7 @@ use super::plain_things::{
 };
 use super::planar::turn_in_planes;
 use super::rigid_wholes::fix_particles;
+use super::said_otherwise::say_plainly;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
@@ -124,6 +125,7 @@ fn name_things(
     leave_long_names(&mut declarations);
     name_by_formulas(&mut declarations);
     tell_relations(&mut declarations);
+    say_plainly(&mut declarations, macros);
     declarations
 }
 
