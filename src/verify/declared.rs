@@ -7,6 +7,7 @@ use crate::source::Span;
 use crate::verify::declarations::Declared;
 use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::facts::proof::uses;
+use crate::verify::language::rate_letters::with_rates;
 use crate::verify::language::statement::{Declaration, Statement};
 use crate::verify::reading::names::are_products;
 use crate::verify::reason;
@@ -33,6 +34,7 @@ const DIFFER: &str = "the sides differ";
 
 /// Checks every line of a document by what is declared of it.
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
+    let document = &*with_rates(document, &declared.declarations);
     let mut judgments = judgments(document, &declared.declarations, std::iter::empty());
     judgments.iter_mut().for_each(Judgment::correct);
     whole_report(document, declared, &judgments)
@@ -40,6 +42,7 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
 
 /// The same without looking for what would put false lines right.
 pub fn judge_declared(document: &Document, declared: &Declared) -> Report {
+    let document = &*with_rates(document, &declared.declarations);
     let judgments = judgments(document, &declared.declarations, std::iter::empty());
     whole_report(document, declared, &judgments)
 }

@@ -7,6 +7,7 @@ pub(crate) mod chains;
 pub(crate) mod deny;
 mod each_member;
 pub(crate) mod either;
+mod element_shares;
 pub(crate) mod extents;
 pub(crate) mod fewer;
 pub(crate) mod follows;

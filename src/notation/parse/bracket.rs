@@ -177,7 +177,9 @@ fn components<'t, 'a>(
         .into_iter()
         .filter(|p| !is_blank(p))
         .collect();
-    let joined = parts.iter().any(|p| begins_or_ends_with_sign(p));
+    // The terms of a sum in round brackets are no list: `(\sin a~x + \cos a~y)`.
+    let sum = |part: &&[Token<'a>]| bracket == Bracket::Round && is_sum(part);
+    let joined = parts.iter().any(|p| begins_or_ends_with_sign(p)) || parts.iter().any(sum);
     let fewest = if transposed && bracket == Bracket::Square {
         2
     } else {
@@ -188,6 +190,13 @@ fn components<'t, 'a>(
 
 fn is_blank(tokens: &[Token<'_>]) -> bool {
     tokens.iter().all(|t| matches!(t.kind, Lexeme::Space(_)))
+}
+
+/// Whether a sign stands between two terms.
+fn is_sum(tokens: &[Token<'_>]) -> bool {
+    let sign = |t: &Token<'_>| matches!(t.kind, Lexeme::Char('+' | '-'));
+    let terms = split_outside(tokens, sign);
+    terms.iter().filter(|term| !is_blank(term)).count() > 1
 }
 
 /// A part that ends with a sign goes on; one that begins with a plus or a product sign does too.

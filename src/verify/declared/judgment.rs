@@ -9,6 +9,7 @@ use crate::source::Span;
 use crate::verify::correction::search::corrections;
 use crate::verify::declarations::Declared;
 use crate::verify::declared::{Residuals, report};
+use crate::verify::language::rate_letters::with_rates;
 use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::{Atoms, dotted};
 use crate::verify::reading::builder::place_in;
@@ -195,6 +196,7 @@ impl Shared {
     /// Judges every line of a document, and looks for what would put false ones right. The report leaves out what the
     /// sentences say, which is the same for all documents.
     pub(crate) fn check(&self, document: &Document) -> Report {
+        let document = &*with_rates(document, &self.declared.declarations);
         let mut judgments = self.judgments(document, &[]);
         judgments.iter_mut().for_each(Judgment::correct);
         report(document, &self.declared, &judgments, Residuals::LeftOut)
@@ -202,6 +204,7 @@ impl Shared {
 
     /// The same without looking for what would put false lines right, and with some lines taken as claimed.
     pub(crate) fn judge(&self, document: &Document, claimed: &[&Finding]) -> Report {
+        let document = &*with_rates(document, &self.declared.declarations);
         let judgments = self.judgments(document, claimed);
         report(document, &self.declared, &judgments, Residuals::LeftOut)
     }

@@ -1,6 +1,7 @@
 //! "d points along k when `$\alpha$` is zero", of a vector that is fixed in what turns by `$\alpha$`: it is an axis of that, as
 //! a frame and the one against which it turns have the same axes where the angle is zero.
 
+use super::at_zero_placed::{carried_by, same_at_zero};
 use super::inclinations::is_zero_of;
 use super::planar_axes::axis;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
@@ -17,27 +18,29 @@ pub(crate) fn tell_axes_at_zero(declarations: &mut [Declaration]) {
 }
 
 fn axis_at_zero(statement: &Statement, all: &[Declaration]) -> Option<Statement> {
-    let (subjects, slots) = statement.does("point")?;
-    let ([vector], Some(along), Some(Term::Formula(zero))) = (
-        subjects,
-        slot(slots, Slot::Along),
-        slot(slots, Slot::At).filter(|at| at.is_condition()),
-    ) else {
-        return None;
-    };
-    if slots.len() != 2 {
-        return None;
-    }
+    let (vector, along, zero) = points_at_zero(statement).or_else(|| same_at_zero(statement))?;
     let carrier = all.iter().find_map(|d| fixed_in(&d.statement, vector))?;
-    let base = all
-        .iter()
-        .find_map(|d| turns_by(&d.statement, carrier, zero))?;
+    let own = carried_by(carrier, all);
+    let mut turns = own.iter().flat_map(|own| all.iter().map(move |d| (own, d)));
+    let base = turns.find_map(|(own, d)| turns_by(&d.statement, own, zero))?;
     let number = all
         .iter()
         .find_map(|d| number_of(&d.statement, along, base))?;
     let axis = (Slot::Along, axis(number, Some(carrier)));
     let what = NounPhrase::new("unit vector", vec![axis]);
     Some(Statement::one_is(vector.clone(), what))
+}
+
+/// What points along what under a condition.
+pub(super) fn points_at_zero(statement: &Statement) -> Option<(&Term, &Term, &Formula)> {
+    let (subjects, slots) = statement.does("point")?;
+    let ([vector], [_, _]) = (subjects, slots) else {
+        return None;
+    };
+    match slot(slots, Slot::At).filter(|at| at.is_condition())? {
+        Term::Formula(zero) => Some((vector, slot(slots, Slot::Along)?, zero)),
+        _ => None,
+    }
 }
 
 /// "`$\\theta$` is the angle from j to u about k", of u that is fixed in what turns about k by this angle: where it is zero u

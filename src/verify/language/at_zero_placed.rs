@@ -2,7 +2,7 @@
 //! always lies along that axis of this frame, as a frame and the one against which it turns have the same axes where the angle
 //! is zero.
 
-use super::at_zero::{number_of, turns_by};
+use super::at_zero::{number_of, points_at_zero, turns_by};
 use super::heads::{MASS_CENTRE, VERTICAL};
 use super::planar_axes::axis;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
@@ -76,7 +76,7 @@ fn turn<'d>(statement: &'d Statement, zero: &Formula) -> Option<(&'d Term, &'d T
 }
 
 /// A frame or a body, and the bodies and frames that are fixed in it.
-fn carried_by<'d>(carrier: &'d Term, all: &'d [Declaration]) -> Vec<&'d Term> {
+pub(super) fn carried_by<'d>(carrier: &'d Term, all: &'d [Declaration]) -> Vec<&'d Term> {
     let frames = all.iter().flat_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "frame" => {
             let own = subjects.iter().filter(move |_| what.slots.len() == 1);
@@ -153,20 +153,48 @@ fn direction(vertical: &NounPhrase) -> Option<bool> {
 
 /// "The first axis of A and the first axis of N are the same at `$q = 0$`", where A turns relative to N by q.
 fn says_axes_are_same(statement: &Statement, all: &[Declaration]) -> bool {
-    let Statement::Is { subjects, what } = statement else {
-        return false;
-    };
-    let ([one, other], [(Slot::At, Term::Formula(zero))], "same") =
-        (subjects.as_slice(), what.slots.as_slice(), what.head)
-    else {
+    let told = points_at_zero(statement).or_else(|| same_at_zero(statement));
+    let Some((one, other, zero)) = told else {
         return false;
     };
     let same = |own: (&Term, &Term), against: (&Term, &Term)| {
-        let [own, against] = [own, against].map(|(term, of)| axis_along(term, of, all));
-        own.is_some() && own == against
+        let all_of = |(term, of): (&Term, &Term)| axes_of(term) == Some(of);
+        let [one, other] = [own, against].map(|(term, of)| axis_along(term, of, all));
+        one.is_some() && one == other || all_of(own) && all_of(against)
     };
     let mut turns = all.iter().filter_map(|d| turn(&d.statement, zero));
     turns.any(|(carrier, base)| {
-        same((one, carrier), (other, base)) || same((other, carrier), (one, base))
+        let mut own = carried_by(carrier, all).into_iter();
+        own.any(|own| same((one, own), (other, base)) || same((other, own), (one, base)))
     })
+}
+
+/// The axes that are said to be the same under a condition, and the condition.
+pub(super) fn same_at_zero(statement: &Statement) -> Option<(&Term, &Term, &Formula)> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let Some(Term::Formula(zero)) = what.slot(Slot::At).filter(|at| at.is_condition()) else {
+        return None;
+    };
+    match (subjects.as_slice(), what.slots.as_slice(), what.head) {
+        ([one, other], [_], "same") => Some((one, other, zero)),
+        // "The axes of B are the axes of N at `$q = 0$`", where both name the frame alone.
+        ([one], [(Slot::Of, frame), _], "axes") => {
+            axes_of(one)?;
+            Some((one, frame, zero))
+        }
+        _ => None,
+    }
+}
+
+/// The frame of all its axes; a frame stands for them.
+fn axes_of(axes: &Term) -> Option<&Term> {
+    match axes {
+        Term::Phrase(phrase) if phrase.head == "axes" && phrase.slots.len() == 1 => {
+            phrase.slot(Slot::Of)
+        }
+        Term::Phrase(_) => None,
+        frame => Some(frame),
+    }
 }

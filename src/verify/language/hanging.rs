@@ -312,6 +312,14 @@ impl<'a> Reader<'a> {
                     slots: at.collect(),
                 };
             }
+            Statement::Same { subjects, others } if subjects.len() == 1 && others.len() == 1 => {
+                let mut alike = std::mem::take(subjects);
+                alike.append(others);
+                *statement = Statement::Is {
+                    subjects: alike,
+                    what: NounPhrase::new("same", at.collect()),
+                };
+            }
             _ => {
                 let help = "say it of a formula or of a thing";
                 return Err(self.error("this cannot hold under a condition", help));

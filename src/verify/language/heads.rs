@@ -117,6 +117,15 @@ pub(crate) const COLUMN_OF_VECTORS: &str = "column of vectors";
 /// What such a column may hold.
 pub(crate) const ROWS_OF_MATRIX: &str = "rows of a matrix";
 
+/// What a column of vectors is by custom.
+pub(crate) const LIST: &str = "a list";
+
+/// A sign that multiplies matrices as juxtaposition does.
+pub(crate) const DOT_OF_MATRICES: &str = "dot between matrices";
+
+/// What multiplies matrices.
+pub(crate) const MATRIX_PRODUCT: &str = "the matrix product";
+
 /// How customs of a frame before or behind a letter begin.
 pub(crate) const FRAME_AT_UPPER: &str = "frame at the upper";
 
@@ -292,6 +301,9 @@ mod tests {
             RATE_FROM_FRAME,
             COLUMN_OF_VECTORS,
             ROWS_OF_MATRIX,
+            LIST,
+            DOT_OF_MATRICES,
+            MATRIX_PRODUCT,
             CONTACT_FORCE,
             NORMAL_FORCE,
             FRICTION,

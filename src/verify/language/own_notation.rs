@@ -1,12 +1,16 @@
 //! Sentences about writing that say in the author's own signs what a rule of notation says, and those that say nothing new.
 
 use super::heads::{FRAME_BEFORE_RATE, RATE_FROM_FRAME};
+use super::rate_letters::{rate_letter, repeats_a_rate};
 use super::statement::{Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
+use crate::notation::ast::Symbol;
 
 /// "`\frac{^X d}{dt}` is the rate seen from X, for any frame X" is the rule for a frame at the upper left of a rate; "`a_{b}` is
 /// the same as `a_b`" needs no sentence.
 pub(crate) fn tell_own_notation(declarations: &mut Vec<Declaration>) {
     declarations.retain(|declaration| !is_written_alike(&declaration.statement));
+    let rates: Vec<Symbol> = declarations.iter().filter_map(rate_letter).collect();
+    declarations.retain(|declaration| !repeats_a_rate(declaration, &rates));
     leave_equal_signs(declarations);
     for declaration in declarations {
         let Statement::Notation {

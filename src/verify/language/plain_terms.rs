@@ -10,9 +10,11 @@ use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
+use super::element_places::place_elements;
 use super::entries::{tell_entries, tell_parts};
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
+use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::in_turn::{part_letters, part_respectively};
@@ -88,6 +90,7 @@ pub(crate) fn in_plain_terms(
     name_the_only_one(&mut declarations, lexicon);
     tell_mass_centres(&mut declarations);
     turn_about_axes(&mut declarations);
+    tell_generalised_momenta(&mut declarations);
     part_points_told_anew(&mut declarations);
     say_in_parts(declarations)
 }
@@ -145,6 +148,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
 /// Members of families, by their numbers and names.
 fn count_members(declarations: &mut Vec<Declaration>) {
     name_members(declarations);
+    place_elements(declarations);
     number_counted(declarations);
     fix_particles(declarations);
     lay_in_turn(declarations);

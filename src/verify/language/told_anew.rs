@@ -1,5 +1,6 @@
 //! A point that one part of the document tells anew: it is another point there.
 
+use super::element_places::place_of_element;
 use super::extent::common;
 use super::fixed_axes::replace;
 use super::heads::MASS_CENTRE;
@@ -8,7 +9,10 @@ use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 /// "G is the mass centre of the top. On lines 8 to 12 G is the mass centre of the disc": there G is another point, and
 /// what is said of letters by G everywhere is said there by that one.
 pub(crate) fn part_points_told_anew(declarations: &mut Vec<Declaration>) {
-    for anew in points_told_anew(declarations) {
+    let elements: Vec<Anew> = declarations.iter().filter_map(element_in_a_part).collect();
+    declarations.retain(|declaration| element_in_a_part(declaration).is_none());
+    let centres = points_told_anew(declarations);
+    for anew in centres.into_iter().chain(elements) {
         let there = anew.letters_there(declarations);
         for declaration in declarations.iter_mut() {
             if declaration.extent == anew.extent {
@@ -65,6 +69,16 @@ impl Anew {
             replace(term, &self.point, &self.other);
         }
     }
+}
+
+/// "On lines 8 to 12 P is the place of element `dm`": there P is the element.
+fn element_in_a_part(declaration: &Declaration) -> Option<Anew> {
+    let (point, other) = place_of_element(declaration)?;
+    (declaration.extent != Extent::Document).then(|| Anew {
+        point,
+        extent: declaration.extent.clone(),
+        other,
+    })
 }
 
 /// The points that are the mass centre of one thing everywhere, and of another thing in a part of the document.

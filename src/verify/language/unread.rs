@@ -139,7 +139,9 @@ impl Reader<'_> {
     pub(crate) fn letters_told(&mut self) -> Read<Vec<Formula>> {
         let subjects = self.terms()?;
         let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
-        if !self.take_any(&COPULAS) || !ARTICLES.contains(&self.word()) {
+        let says_what = self.take_any(&COPULAS)
+            && (ARTICLES.contains(&self.word()) || self.at_formula() && !self.joins_more());
+        if !says_what {
             return Ok(vec![]);
         }
         let nouns = (self.at..self.tokens.len()).filter_map(|at| {

@@ -7,6 +7,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::reading::label_read::named_by_labels;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of};
+use crate::verify::reading::numbered_axes::with_numbered_axes;
 use crate::verify::term::written::WrittenSymbols;
 
 /// No more sentences are made of one.
@@ -26,7 +27,7 @@ pub(crate) fn instances(
     declarations: &[Declaration],
     written: &WrittenSymbols,
 ) -> Vec<Declaration> {
-    let mut declarations = declarations.to_vec();
+    let mut declarations = with_numbered_axes(declarations.to_vec());
     declarations.iter_mut().for_each(name_any);
     declarations.extend(named_by_labels(&declarations, written));
     let declarations = &declarations;
@@ -109,7 +110,7 @@ fn axis_indices(declarations: &[Declaration]) -> Vec<String> {
 
 /// "`$I_i$` is the moment of inertia about the axis along `$e_i$`", where `$i$` numbers axes: one sentence for each axis.
 fn of_each_axis(declaration: &Declaration, indices: &[String]) -> Option<Vec<Declaration>> {
-    let Statement::Is { subjects, what } = &declaration.statement else {
+    let Statement::Is { subjects, .. } = &declaration.statement else {
         return None;
     };
     let [Term::Formula(letter)] = subjects.as_slice() else {
@@ -135,7 +136,6 @@ fn of_each_axis(declaration: &Declaration, indices: &[String]) -> Option<Vec<Dec
         .into_iter()
         .skip(1)
         .any(in_label)
-        || what.head == "component"
     {
         return None;
     }

@@ -81,10 +81,12 @@ impl Builder<'_> {
         let chosen = self.axis_of_line(body) == Some((ALONG, false));
         let points = known.line.is_some_and(|line| !line.by_points) && self.is_rod(body);
         let held = |end: &String| self.hold_on(body, end) != Hold::Nothing;
+        // The axis of a cone goes from its apex to its base.
+        let told = self.told_axis_of_shape(body).is_some();
+        let from_apex = told && self.is_cone(body);
         (1..=2).contains(&known.ends.len())
-            && (self.is_rod(body) || self.is_cone(body))
-            && self.told_axis_of_shape(body).is_none()
-            && (chosen || points && known.ends.first().is_some_and(held))
+            && (self.is_rod(body) && !told || self.is_cone(body))
+            && (chosen || from_apex || points && known.ends.first().is_some_and(held))
     }
 
     /// Whether a noun is that of ends that the model knows.
@@ -118,7 +120,7 @@ impl Builder<'_> {
     /// The way from the mass centre of a uniform rod to one of its ends, or of a cone to its apex, at which its line begins.
     pub(super) fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
         let (what, declaration) = self.said_to_be(body, &[ROD, CONE])?;
-        let told = self.told_axis_of_shape(body).filter(|_| self.is_rod(body));
+        let told = self.told_axis_of_shape(body);
         if told.is_none() && !self.has_ends(body) {
             self.tell_line_by_points(body)?;
         }

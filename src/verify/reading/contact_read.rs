@@ -157,6 +157,7 @@ impl Builder<'_> {
         plane: &Plane,
         declaration: &Declaration,
     ) -> Option<PointId> {
+        self.round_wheel(body, declaration);
         let below = self.system().way_to_contact(body, &plane.normal);
         let centre = self.centre_of(body);
         let placed = match below {

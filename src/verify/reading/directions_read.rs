@@ -7,8 +7,8 @@ use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::{defined_as, is_written_as};
 use crate::verify::reading::frames_read::CUSTOMARY;
-use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, opposite};
-use crate::verify::term::letters::{Meaning, Reach};
+use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, opposite, reach_of};
+use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 use num_traits::Zero;
@@ -50,7 +50,8 @@ impl Builder<'_> {
                 // An axis about which a frame turns is fixed in both.
                 let unit = self.unit_vector_of(formula, carried);
                 let meaning = Meaning::Quantity(unit.clone());
-                self.denote_within(formula, meaning, Reach::All, declaration);
+                let reach = reach_of(&declaration.extent);
+                self.denote_within(formula, meaning, reach, declaration);
                 self.system().value_of(&unit).ok()?.to_vector().ok()
             }
             Term::Name(name) if self.bodies.contains_key(name) => {

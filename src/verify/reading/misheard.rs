@@ -18,7 +18,6 @@ use crate::verify::reading::instants_read::instant_of;
 use crate::verify::reading::listed_frames::of_each_frame;
 use crate::verify::reading::makeup_read::if_spread_unevenly;
 use crate::verify::reading::names::node_of;
-use crate::verify::reading::numbered_axes::with_numbered_axes;
 use crate::verify::reading::values_told::with_zero_said;
 
 /// Verbs of motions, whose adverbs say how.
@@ -39,7 +38,7 @@ const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
 /// The sentences, and one that was not understood in the place of each that tells nothing.
 pub(super) fn heard(declarations: Vec<Declaration>) -> Vec<Declaration> {
     let listed = of_each_frame(unless_contradictory(declarations));
-    let all = with_numbered_axes(listed).into_iter();
+    let all = listed.into_iter();
     all.map(with_zero_said).map(heard_or_unread).collect()
 }
 

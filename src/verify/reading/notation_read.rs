@@ -2,11 +2,12 @@
 
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CONJUGATE, FRAME_ABOVE, FRAME_BEFORE_RATE, FULL_STOP,
-    INSTANT, INVERSE_MAP, NOT_SUMMED, NOTHING, QUATERNION_DOT, QUATERNION_PRODUCT, RATE_FROM_FRAME,
-    ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE,
-    VECTORS_SIDE_BY_SIDE,
+    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CONJUGATE, DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE,
+    FULL_STOP, INSTANT, INVERSE_MAP, LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, QUATERNION_DOT,
+    QUATERNION_PRODUCT, RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR,
+    TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
 };
+use crate::verify::language::rate_letters::rate_letter;
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term, slot,
 };
@@ -175,7 +176,9 @@ impl Builder<'_> {
                 letters.customs.products.dyads = true;
             }
             // Which axes columns of two are on is read behind the signs.
-            (Sign::Custom(COLUMNS_OF_TWO), _) => {}
+            (Sign::Custom(COLUMNS_OF_TWO), _)
+            | (Sign::Custom(COLUMN_OF_VECTORS), NotationMeaning::Fixed(LIST))
+            | (Sign::Custom(DOT_OF_MATRICES), NotationMeaning::Fixed(MATRIX_PRODUCT)) => {}
             _ => return is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING),
         }
         true
@@ -183,7 +186,7 @@ impl Builder<'_> {
 
     fn read_rule(&mut self, sign: &Sign, meaning: &NotationMeaning, declaration: &Declaration) {
         let reach = reach_of(&declaration.extent);
-        if self.read_custom(sign, meaning, &reach) {
+        if self.read_custom(sign, meaning, &reach) || rate_letter(declaration).is_some() {
             return;
         }
         if let (Sign::Label { labels, .. }, NotationMeaning::Noun(instants)) = (sign, meaning)

@@ -13,7 +13,8 @@ const MOST: usize = 36;
 impl Judge<'_> {
     /// The links of a line, those about any member of a family as one for each of the members that have names.
     pub(super) fn links_of(&mut self, line: &Line) -> Vec<Link> {
-        let mut links = self.chain.links(line, &self.at);
+        let links = self.chain.links(line, &self.at).into_iter();
+        let mut links: Vec<Link> = links.map(|link| self.of_whole(link)).collect();
         while let Some((index, count)) = links.iter().find_map(|link| self.member_index(link)) {
             if links.len() * count > MOST {
                 break;

@@ -136,3 +136,45 @@ $\\vec s$ is the position of an element of the door from Q.
     let (verdicts, _) = super::verdicts(&said, r"$$ M = \int dm $$");
     assert_eq!(verdicts, "u");
 }
+
+#[test]
+fn the_share_of_an_element_tells_the_whole() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+C is the mass centre of the body.
+O is a point fixed in N.
+The body consists of elements $dm$.
+p is the place of element $dm$.
+$r$ is the position of p from O.
+$a$ is the acceleration of p relative to N.
+$\tau$ is the total moment on the body about O.
+";
+    let text = r"
+$$ d\tau = r\times a\,dm $$
+$$ d\tau = a\times r\,dm $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_point_is_an_element_where_a_part_of_the_document_says_so() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+O is a point fixed in B.
+The body consists of elements $dm$.
+P is a point.
+On lines 4 to 9 P is the place of element $dm$.
+$r$ is the position of P from O.
+$w$ is the angular velocity of B relative to N.
+$v$ is the rate of $r$ seen from N.
+";
+    let text = r"
+$$ v = w\times r $$
+
+
+$$ v = w\times r $$
+";
+    assert_eq!(judged(sentences, text), "rp");
+}

@@ -189,3 +189,43 @@ $$ K = J + D $$
     assert_eq!(judged(sentences, text), "ppp");
     assert_ne!(judged(sentences, &text.replace("J + D", "J - D")), "ppp");
 }
+
+#[test]
+fn axes_by_one_letter_with_an_index_are_three() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+$b_i$ are the axes of B.
+$j$ and $k$ number the axes of B.
+$w$ is the angular velocity of B relative to N.
+$w_i$ is the component of $w$ along $b_i$.
+";
+    let text = r"
+$$ w = \sum_i (w\cdot b_i) b_i $$
+$$ b_i\cdot b_1 = 1 $$
+$$ \dot b_i = w\times b_i $$
+$$ w_2 = w\cdot b_2 $$
+$$ w_2 = w\cdot b_1 $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+    let by_number = sentences.replace("$b_i$ are the axes", "$b_i$ is the axis $i$");
+    assert_eq!(judged(&by_number, text), "prppr");
+}
+
+#[test]
+fn a_direction_that_a_part_of_the_document_names_is_none_elsewhere() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+$w$ is the angular velocity of B relative to N.
+On line 1 $v$ is a vector along $e$.
+$e_i$ are the axes of B.
+$w_i$ is component $i$ of $w$ on B.
+A repeated index is summed.
+";
+    let text = r"
+
+$$ w = w_i e_i $$
+";
+    assert_eq!(judged(sentences, text), "p");
+}

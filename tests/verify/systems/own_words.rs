@@ -276,3 +276,33 @@ $$ K = J + m\,\tilde d\,\tilde d $$
 ";
     assert_eq!(verdicts(sentences, text).0, "ppr");
 }
+
+#[test]
+fn the_axis_of_a_cone_goes_from_its_apex_and_momenta_belong_to_coordinates() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the cone.
+x, y, z are the axes of B.
+Z is the upward vertical.
+The cone is a uniform cone of mass $M$, radius $R$ and height $h$.
+O is the apex of the cone.
+O is a point fixed in N and in B.
+z is the axis of symmetry of the cone.
+G is the mass centre of the cone.
+$a$, $b$, $c$ are the Euler angles of B relative to N in the order Z, x, z.
+$a$, $b$, $c$ are the generalised coordinates.
+$g$ is the acceleration of gravity.
+The weight and the force at O are the only loads on the cone.
+$I$, $J$, $K$ are the principal moments of the cone about O on B.
+The potential energy is zero at O.
+$V$ is the potential energy of the cone.
+$L$ is the Lagrangian of the cone.
+$p$ is the generalised momentum of $a$.
+";
+    let text = r"
+$$ V=\frac34Mgh\cos b $$
+$$ p=I\sin^2b\,\dot a+K(\dot a\cos b+\dot c)\cos b $$
+$$ p=I\sin^2b\,\dot a+K(\dot a\cos b+\dot c) $$
+";
+    assert_eq!(verdicts(sentences, text).0, "ppr");
+}

@@ -307,3 +307,28 @@ $$ w = -l\dot q $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_letter_may_be_the_rate() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the wheel.
+G is the mass centre of the wheel.
+$D$ is the rate.
+$D^2$ is the rate of the rate.
+The axes of B are principal axes of the wheel.
+$A$, $B$, $C$ are the principal moments of the wheel about G on B.
+$w$ is the angular velocity of the wheel relative to N.
+$p$, $q$, $r$ are the components of $w$ on B.
+$T$ is the total moment on the wheel about G.
+$L$ is the first component of $T$ on B.
+";
+    let text = r"
+$$ A D p - (B-C) q r = L $$
+$$ D^2 (p q) = p D^2 q + 2 Dp Dq + q D^2 p $$
+$$ A D p + (B-C) q r = L $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+    let any = sentences.replace("$D$ is the rate", "$D x$ is the rate of $x$, for any $x$");
+    assert_eq!(judged(&any, text), "ppr");
+}

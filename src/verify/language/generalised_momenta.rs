@@ -1,0 +1,75 @@
+//! Generalised momenta: the derivative of the Lagrangian in the rate of a coordinate, or of the kinetic energy where no letter
+//! of a Lagrangian is told.
+
+use super::heads::KINETIC_ENERGY;
+use super::statement::{Declaration, Formula, Slot, Statement, Term};
+use crate::notation::ast::{DerivativeStyle, Kind, Node};
+use crate::notation::document::Row;
+
+/// Functions of coordinates and rates of which momenta are derivatives, the first that is told.
+const FUNCTIONS: [&str; 2] = ["Lagrangian", KINETIC_ENERGY];
+
+/// "`$p$` is the generalised momentum of `$q$`": it is the same as `$\partial L/\partial\dot q$`.
+pub(crate) fn tell_generalised_momenta(declarations: &mut [Declaration]) {
+    let functions = FUNCTIONS.map(|head| the_only_one(declarations, head));
+    let Some(function) = functions.into_iter().flatten().next() else {
+        return;
+    };
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let coordinates: Vec<&Term> = what.all(Slot::Of).collect();
+        let plain = what.slots.len() == subjects.len() && coordinates.len() == subjects.len();
+        let momenta = what.head == "generalised momentum" && what.adjectives.is_empty();
+        if !momenta || !plain {
+            continue;
+        }
+        let derivatives = coordinates.into_iter().map(|q| derivative(&function, q));
+        if let Some(others) = derivatives.collect() {
+            declaration.statement = Statement::Same {
+                subjects: subjects.clone(),
+                others,
+            };
+        }
+    }
+}
+
+/// The letter of a function of which only one is told.
+fn the_only_one(declarations: &[Declaration], head: &str) -> Option<Node> {
+    let letters = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == head => Some(subjects),
+        _ => None,
+    });
+    let mut letters = letters.flatten();
+    let only = letters.next().filter(|_| letters.next().is_none())?;
+    tree(only).cloned()
+}
+
+/// `\partial L/\partial\dot q`
+fn derivative(function: &Node, coordinate: &Term) -> Option<Term> {
+    let coordinate = tree(coordinate)?;
+    let span = coordinate.span;
+    let rate = Kind::TimeDerivative {
+        operand: Box::new(coordinate.clone()),
+        order: 1,
+        style: DerivativeStyle::Dots,
+        frame: None,
+    };
+    let kind = Kind::Derivative {
+        operand: Box::new(function.clone()),
+        variables: vec![Node { kind: rate, span }],
+        partial: true,
+    };
+    Some(Term::Formula(Formula::of(&Node { kind, span })))
+}
+
+fn tree(term: &Term) -> Option<&Node> {
+    match term {
+        Term::Formula(Formula {
+            row: Row::Expression(node),
+            ..
+        }) => Some(node),
+        _ => None,
+    }
+}
