@@ -61,6 +61,7 @@ mod kept;
 mod kinds;
 mod laid_by_angles;
 mod laid_rods;
+mod letters_at_instants;
 mod lexicon;
 mod listed;
 mod listed_between;

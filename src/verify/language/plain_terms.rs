@@ -24,6 +24,7 @@ use super::kinds::{
     show_frames, tell_axes, tell_mass_centres,
 };
 use super::laid_by_angles::lay_by_angles;
+use super::letters_at_instants::tell_letters_at_instants;
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};
 use super::listed_loads::act_as_listed;
@@ -102,6 +103,7 @@ fn name_things(
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
     give_sizes_aside(&mut declarations);
+    tell_letters_at_instants(&mut declarations);
     take_along_axes(&mut declarations);
     take_across_planes(&mut declarations);
     tell_senses(&mut declarations, macros);
