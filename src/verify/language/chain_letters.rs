@@ -3,7 +3,7 @@
 
 use super::chains::{NEIGHBOURS, is_frame, thing};
 use super::extent::common;
-use super::messages::numbered_frame;
+use super::messages::{number_of_frame, numbered_frame};
 use super::reader::formula;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -25,7 +25,7 @@ pub(super) fn letters_of_others(
     macros: &Macros,
 ) -> Vec<Declaration> {
     let known = |thing: &String| things.contains(thing);
-    let frames = things.iter().filter_map(|thing| number_of(thing));
+    let frames = things.iter().filter_map(|thing| number_of_frame(thing));
     let (numbers, of_letter): (Vec<&str>, Vec<&str>) = frames.partition(|n| is_number(n));
     let mut letters: BTreeSet<String> = declarations.iter().flat_map(subjects_written).collect();
     let mut told = numbered_frames(declarations, &numbers, letter, things);
@@ -127,10 +127,6 @@ fn part_of(thing: &str, declarations: &[Declaration], letter: &str) -> Extent {
     }
 }
 
-fn number_of(thing: &str) -> Option<&str> {
-    thing.strip_prefix("frame ")
-}
-
 fn is_number(number: &str) -> bool {
     number.chars().all(|c| c.is_ascii_digit())
 }
@@ -187,7 +183,7 @@ fn subjects_written(declaration: &Declaration) -> Vec<String> {
 fn numbered<'s>(statement: &'s Statement, letter: &'s str) -> impl Iterator<Item = String> + 's {
     let terms = statement.terms().into_iter();
     terms.filter_map(|term| match term {
-        Term::Name(name) => number_of(name).map(|_| name.clone()),
+        Term::Name(name) => number_of_frame(name).map(|_| name.clone()),
         Term::Phrase(frame) if frame.head == "frame" => match frame.slot(Slot::Which) {
             Some(Term::Numbers(numbers)) => {
                 let number = numbers.first()?;
@@ -233,7 +229,7 @@ fn put(term: &mut Term, instead: &[Instead], macros: &Macros) -> Option<()> {
             for (slot, term) in &mut phrase.slots {
                 put(term, instead, macros)?;
                 if let (Slot::Which, Term::Name(frame)) = (slot, &*term)
-                    && let Some(number) = number_of(frame)
+                    && let Some(number) = number_of_frame(frame)
                 {
                     *term = Term::Numbers(vec![number.parse().ok()?]);
                 }

@@ -3,7 +3,7 @@
 
 use super::chain_letters::{is_told_for_each, letters_of_others};
 use super::heads::UNIT_VECTOR;
-use super::messages::numbered_frame;
+use super::messages::{number_of_frame, numbered_frame};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -69,7 +69,7 @@ pub(super) fn thing(term: &Term, letter: &str) -> Option<String> {
                     .first()
                     .map(|number| numbered_frame(&number.to_string()));
             }
-            _ => ("frame", of_chain(number_of_frame(phrase)?, letter)?),
+            _ => ("frame", of_chain(index_of_frame(phrase)?, letter)?),
         },
         _ => return None,
     };
@@ -77,7 +77,7 @@ pub(super) fn thing(term: &Term, letter: &str) -> Option<String> {
 }
 
 /// "frame `$i-1$`"
-fn number_of_frame(phrase: &NounPhrase) -> Option<&Formula> {
+fn index_of_frame(phrase: &NounPhrase) -> Option<&Formula> {
     match (phrase.head, phrase.slots.as_slice()) {
         ("frame", [(Slot::Which, Term::Formula(index))]) => Some(index),
         _ => None,
@@ -99,7 +99,7 @@ fn number(index: &Formula) -> String {
 fn neighbour(term: &Term) -> Option<String> {
     let index = match term {
         Term::Member { index, .. } => index,
-        Term::Phrase(phrase) => number_of_frame(phrase)?,
+        Term::Phrase(phrase) => index_of_frame(phrase)?,
         _ => return None,
     };
     beside(index)
@@ -310,7 +310,7 @@ fn carry_frames(statement: &mut Statement) {
         && what.slot(Slot::FixedIn).is_some()
         && subjects
             .iter()
-            .all(|s| matches!(s, Term::Name(n) if n.starts_with(&numbered_frame(""))))
+            .all(|s| matches!(s, Term::Name(n) if number_of_frame(n).is_some()))
     {
         what.head = "frame";
     }

@@ -117,14 +117,7 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
         return None;
     };
     let (_, upright) = slots.iter().find(|(slot, _)| *slot == Slot::About)?;
-    let upward = |d: &Declaration| match &d.statement {
-        Statement::Is { subjects, what } => {
-            let vertical = what.head == VERTICAL || what.is(VERTICAL);
-            vertical && what.is("upward") && subjects.contains(upright)
-        }
-        _ => false,
-    };
-    declarations.iter().any(upward).then_some(())?;
+    is_upward(upright, declarations).then_some(())?;
     let axes = axes_of(frame, declarations)?;
     let number = |term: &Term| {
         let called = name(term)?;
@@ -166,6 +159,17 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
         angle,
         turn,
         used: [flat, leaning],
+    })
+}
+
+/// Whether a sentence says that a direction is the upward vertical.
+fn is_upward(direction: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let vertical = what.head == VERTICAL || what.is(VERTICAL);
+            vertical && what.is("upward") && subjects.contains(direction)
+        }
+        _ => false,
     })
 }
 

@@ -165,10 +165,8 @@ impl Builder<'_> {
         };
         // That there is no friction is told with the loads.
         let counted = self.lists_loads();
-        let ways: Vec<_> = ways
-            .into_iter()
-            .filter(|(_, term)| !(counted && term.is_noun(WITHOUT_FRICTION)))
-            .collect();
+        let smooth = |term: &Term| counted && term.is_noun(WITHOUT_FRICTION);
+        let ways: Vec<_> = ways.into_iter().filter(|(_, t)| !smooth(t)).collect();
         let (slot, way) = match ways.as_slice() {
             [] => return self.move_freely(subjects, frame),
             [way] => way,
@@ -213,7 +211,7 @@ impl Builder<'_> {
     }
 
     /// A point, or the mass centre of a body of which all points move alike, as it does not turn relative to a frame.
-    fn moving_point(&mut self, mover: &Term, frame: FrameId) -> Option<PointId> {
+    pub(super) fn moving_point(&mut self, mover: &Term, frame: FrameId) -> Option<PointId> {
         if let Some(point) = self.point(mover) {
             return Some(point);
         }
@@ -235,35 +233,6 @@ impl Builder<'_> {
         let velocity = self.system().velocity(point, frame);
         self.hold_zero(&cross(axis, &velocity), declaration);
         self.hold_smooth_force(mover, axis, declaration)
-    }
-
-    /// "P moves relative to A along z at the rate `$v$`": that is its velocity.
-    fn hold_rate_along(
-        &mut self,
-        subjects: &[Term],
-        way: &Term,
-        rate: &Term,
-        frame: FrameId,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let rate = match rate {
-            Term::Phrase(rate) if matches!(rate.head, "rate" | "speed") => {
-                rate.slot(Slot::Which)?
-            }
-            rate => rate,
-        };
-        let Term::Formula(rate) = rate else {
-            return None;
-        };
-        let rate = self.scalar(&rate.clone(), declaration)?;
-        let axis = self.axis_vector(way, declaration)?;
-        for mover in subjects {
-            let point = self.moving_point(mover, frame)?;
-            let velocity = self.system().velocity(point, frame);
-            self.hold_zero(&(velocity - axis.clone() * rate.clone()), declaration);
-            self.hold_smooth_force(mover, &axis, declaration)?;
-        }
-        Some(())
     }
 
     /// "P moves relative to A": nothing holds it there.
