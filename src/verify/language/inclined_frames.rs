@@ -126,16 +126,8 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
             .position(|axis| name(axis).as_ref() == Some(&called))?;
         Some(at + 1)
     };
-    let mut said = declarations.iter().enumerate();
-    let (flat, about) = said.find_map(|(at, d)| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "horizontal" => {
-            match subjects.as_slice() {
-                [axis] => Some((at, number(axis)?)),
-                _ => None,
-            }
-        }
-        _ => None,
-    })?;
+    let (flat, level) = level_axis(declarations)?;
+    let about = number(level)?;
     let mut said = declarations.iter().enumerate();
     let (leaning, tilted, angle) = said.find_map(|(at, d)| match &d.statement {
         Statement::Is { subjects, what } if what.head == "angle" && what.slots.len() == 2 => {
@@ -159,6 +151,20 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
         angle,
         turn,
         used: [flat, leaning],
+    })
+}
+
+/// The sentence that says that one axis is horizontal, and which.
+fn level_axis(declarations: &[Declaration]) -> Option<(usize, &Term)> {
+    let mut said = declarations.iter().enumerate();
+    said.find_map(|(at, d)| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "horizontal" => {
+            match subjects.as_slice() {
+                [axis] => Some((at, axis)),
+                _ => None,
+            }
+        }
+        _ => None,
     })
 }
 
