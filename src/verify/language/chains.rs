@@ -1,20 +1,26 @@
 //! Chains of numbered things: "frame `$i$` is fixed in link `$i$`, joint `$i$` is fixed in link `$i-1$` and in link `$i$`". Where
 //! sentences speak of neighbours, each thing is one of its own, called by its number.
 
+use super::chain_letters::{is_told_for_each, letters_of_others};
 use super::heads::UNIT_VECTOR;
+use super::messages::{number_of_frame, numbered_frame};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 use std::collections::BTreeSet;
 
 /// The neighbours in a chain, by what their numbers have behind the letter.
-const NEIGHBOURS: [&str; 3] = ["-1", "", "+1"];
+pub(super) const NEIGHBOURS: [&str; 3] = ["-1", "", "+1"];
 
 /// Gives the things of a chain their names. What a sentence says of the frames and joints with any number it says of the
 /// neighbours that others speak of.
-pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
+pub(crate) fn name_chains(declarations: &mut Vec<Declaration>, macros: &Macros) {
     let terms = || declarations.iter().flat_map(|d| d.statement.terms());
-    let Some(letter) = terms().find_map(neighbour) else {
+    let among_frames = || {
+        let mut letters = terms().filter_map(beside_letter);
+        letters.find(|letter| declarations.iter().any(|d| is_frame(&d.statement, letter)))
+    };
+    let Some(letter) = terms().find_map(neighbour).or_else(among_frames) else {
         return;
     };
     if declarations
@@ -24,10 +30,11 @@ pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
         return;
     }
     let things: BTreeSet<String> = terms().filter_map(|term| thing(term, &letter)).collect();
-    let mut told = vec![];
+    let mut told = letters_of_others(declarations, &letter, &things, macros);
     for mut declaration in declarations.drain(..) {
         let counting = declaration.statement.does("number");
-        if counting.is_some_and(|(subjects, _)| counts_by(subjects, &letter)) {
+        let counts = counting.is_some_and(|(subjects, _)| counts_by(subjects, &letter));
+        if counts || is_told_for_each(&declaration, &told) {
             continue;
         }
         without_any(&mut declaration.statement, &letter);
@@ -45,21 +52,24 @@ pub(crate) fn name_chains(declarations: &mut Vec<Declaration>) {
         if let Some(fixed) = fixed_axis(&declaration.statement) {
             declaration.statement = fixed;
         }
+        carry_frames(&mut declaration.statement);
     }
     told.extend(unit_vectors(&told));
     *declarations = told;
 }
 
 /// The name of a numbered thing: "link i-1". A number alone is that of a frame.
-fn thing(term: &Term, letter: &str) -> Option<String> {
+pub(super) fn thing(term: &Term, letter: &str) -> Option<String> {
     let (family, index) = match term {
         Term::Member { family, index } => (family.as_str(), index),
         Term::Formula(index) => ("frame", of_chain(index, letter)?),
         Term::Phrase(phrase) => match phrase.slots.as_slice() {
             [(Slot::Which, Term::Numbers(numbers))] if phrase.head == "frame" => {
-                return numbers.first().map(|number| format!("frame {number}"));
+                return numbers
+                    .first()
+                    .map(|number| numbered_frame(&number.to_string()));
             }
-            _ => ("frame", of_chain(number_of_frame(phrase)?, letter)?),
+            _ => ("frame", of_chain(index_of_frame(phrase)?, letter)?),
         },
         _ => return None,
     };
@@ -67,7 +77,7 @@ fn thing(term: &Term, letter: &str) -> Option<String> {
 }
 
 /// "frame `$i-1$`"
-fn number_of_frame(phrase: &NounPhrase) -> Option<&Formula> {
+fn index_of_frame(phrase: &NounPhrase) -> Option<&Formula> {
     match (phrase.head, phrase.slots.as_slice()) {
         ("frame", [(Slot::Which, Term::Formula(index))]) => Some(index),
         _ => None,
@@ -89,12 +99,32 @@ fn number(index: &Formula) -> String {
 fn neighbour(term: &Term) -> Option<String> {
     let index = match term {
         Term::Member { index, .. } => index,
-        Term::Phrase(phrase) => number_of_frame(phrase)?,
+        Term::Phrase(phrase) => index_of_frame(phrase)?,
         _ => return None,
     };
+    beside(index)
+}
+
+/// The letter of "`$i+1$`", where nothing says of what that is the number.
+fn beside_letter(term: &Term) -> Option<String> {
+    match term {
+        Term::Formula(index) => beside(index),
+        _ => None,
+    }
+}
+
+fn beside(index: &Formula) -> Option<String> {
     let index = number(index);
     let letter = index.strip_suffix("+1").or(index.strip_suffix("-1"))?;
     (letter.len() == 1).then(|| letter.to_owned())
+}
+
+/// "Frame `$i$` is a frame": the letter alone stands for it.
+pub(super) fn is_frame(statement: &Statement, letter: &str) -> bool {
+    match statement {
+        Statement::Is { subjects, what } => what.head == "frame" && counts_by(subjects, letter),
+        _ => false,
+    }
 }
 
 /// Whether a sentence says that the letter is something else: a unit vector.
@@ -231,6 +261,11 @@ fn name_all(statement: &mut Statement, letter: &str) {
 /// "of frame `$i$` relative to frame 0": what stands behind the number hangs on the noun before.
 fn behind_number(term: &mut Term) -> Vec<(Slot, Term)> {
     match term {
+        // "the velocity of the origin of frame `$i$` relative to frame 0"
+        Term::Phrase(of) if of.head == "origin" => {
+            let slots = of.slots.iter_mut();
+            slots.flat_map(|(_, term)| behind_number(term)).collect()
+        }
         Term::Phrase(frame) if frame.head == "frame" && frame.slot(Slot::Which).is_some() => {
             let number = frame
                 .slots
@@ -266,6 +301,19 @@ fn fixed_axis(statement: &Statement) -> Option<Statement> {
     let fixed = fixed.map(|frame| (Slot::FixedIn, frame.clone()));
     let what = NounPhrase::new(UNIT_VECTOR, fixed.collect());
     Some(Statement::one_is(Term::Formula(axis), what))
+}
+
+/// "Frame 3 is fixed in link 2": it is a frame that is.
+fn carry_frames(statement: &mut Statement) {
+    if let Statement::Is { subjects, what } = statement
+        && what.head == "fixed"
+        && what.slot(Slot::FixedIn).is_some()
+        && subjects
+            .iter()
+            .all(|s| matches!(s, Term::Name(n) if number_of_frame(n).is_some()))
+    {
+        what.head = "frame";
+    }
 }
 
 fn is_joint_axis(term: &Term) -> bool {

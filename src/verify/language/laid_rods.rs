@@ -12,6 +12,7 @@ const END: &str = "end";
 /// of that if it is uniform.
 pub(super) fn lay_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
     point_along_rods(declarations);
+    end_rods(declarations);
     let mut at = 0;
     while at < declarations.len() {
         if let Some(rod) = laid(&declarations[at].statement, declarations) {
@@ -55,6 +56,49 @@ fn point_along_rods(declarations: &mut Vec<Declaration>) {
     declarations.extend(laid);
 }
 
+/// "The beam lies along `$e$` from A to B": these are its ends.
+fn end_rods(declarations: &mut Vec<Declaration>) {
+    let mut told = vec![];
+    for at in 0..declarations.len() {
+        let Some(([rod], slots)) = declarations[at].statement.does("lie") else {
+            continue;
+        };
+        let [along, from, to] = [Slot::Along, Slot::From, Slot::To].map(|slot| {
+            let mut own = slots.iter().filter(|(own, _)| *own == slot);
+            own.next().map(|(_, term)| term.clone())
+        });
+        let (Some(along), Some(from), Some(to), 3) = (along, from, to, slots.len()) else {
+            continue;
+        };
+        if !is_rod(rod, declarations) {
+            continue;
+        }
+        let rod = rod.clone();
+        let new: Vec<Term> = [from.clone(), to]
+            .into_iter()
+            .filter(|end| ends(&rod, declarations).all(|own| own != end))
+            .collect();
+        told.extend(new.into_iter().map(|end| {
+            let of = NounPhrase::new(END, vec![(Slot::Of, rod.clone())]);
+            declarations[at].saying(Statement::one_is(end, of))
+        }));
+        declarations[at].statement = Statement::Does {
+            subjects: vec![rod],
+            verb: "lie",
+            slots: vec![(Slot::Along, along), (Slot::From, from)],
+        };
+    }
+    declarations.extend(told);
+}
+
+/// Whether a thing is said to be a rod.
+fn is_rod(thing: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == "rod" && subjects.contains(thing),
+        _ => false,
+    })
+}
+
 /// Whether a point is said to be the mass centre of a body.
 fn is_centre(point: &Term, body: &Term, declarations: &[Declaration]) -> bool {
     declarations.iter().any(|d| match &d.statement {
@@ -85,12 +129,8 @@ fn laid(statement: &Statement, declarations: &[Declaration]) -> Option<Laid> {
         }
         _ => return None,
     };
-    let straight = declarations.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => what.head == "rod" && subjects.contains(rod),
-        _ => false,
-    });
     let ends_there = ends(rod, declarations).any(|end| end == from);
-    (straight && ends_there).then_some(())?;
+    (is_rod(rod, declarations) && ends_there).then_some(())?;
     Some(Laid {
         rod: rod.clone(),
         from: from.clone(),

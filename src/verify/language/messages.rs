@@ -55,3 +55,13 @@ pub(crate) const OTHER_MOTIONS: &str = "what is told of this motion may hold in 
 pub(crate) fn origin_of(frame: &str) -> String {
     format!("origin of {frame}")
 }
+
+/// The number by which a frame is called.
+pub(crate) fn number_of_frame(name: &str) -> Option<&str> {
+    name.strip_prefix(&numbered_frame(""))
+}
+
+/// The name of a frame that is called by its number.
+pub(crate) fn numbered_frame(number: &str) -> String {
+    format!("frame {number}")
+}

@@ -2,11 +2,12 @@
 
 use super::chains::name_chains;
 use super::statement::{Declaration, Slot, Statement, Term};
+use crate::notation::Macros;
 use std::collections::BTreeSet;
 
 /// Puts names in the places of numbers that sentences say to be frames.
-pub(crate) fn name_frames_by_numbers(declarations: &mut Vec<Declaration>) {
-    name_chains(declarations);
+pub(crate) fn name_frames_by_numbers(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    name_chains(declarations, macros);
     let frames = declarations.iter().flat_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "frame" => subjects.as_slice(),
         _ => &[],

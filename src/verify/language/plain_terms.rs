@@ -23,6 +23,8 @@ use super::kinds::{
     fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
     show_frames, tell_axes, tell_mass_centres,
 };
+use super::laid_by_angles::lay_by_angles;
+use super::letters_at_instants::tell_letters_at_instants;
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};
 use super::listed_loads::act_as_listed;
@@ -33,8 +35,10 @@ use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
+use super::origins::name_origins;
 use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
+use super::parallel_frames::tell_parallel_frames;
 use super::placed_centres::name_placed_centres;
 use super::placed_points::name_placed_points;
 use super::places::{begin_rods, tell_places, tell_reach};
@@ -44,17 +48,20 @@ use super::plain_things::{
 };
 use super::planar::turn_in_planes;
 use super::rigid_wholes::fix_particles;
+use super::said_otherwise::say_plainly;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
 };
 use super::senses::tell_senses;
 use super::sides::tell_sides;
+use super::sizes_aside::give_sizes_aside;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
 use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_anew::part_points_told_anew;
 use super::told_in_parts::say_in_parts;
+use super::told_there_alone::tell_frames_of_parts;
 use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
@@ -95,13 +102,18 @@ fn name_things(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
+    give_sizes_aside(&mut declarations);
+    tell_letters_at_instants(&mut declarations);
     take_along_axes(&mut declarations);
     take_across_planes(&mut declarations);
     tell_senses(&mut declarations, macros);
     list_next_loads(&mut declarations);
     name_by_agents(&mut declarations);
     tell_own_notation(&mut declarations);
-    name_frames_by_numbers(&mut declarations);
+    name_frames_by_numbers(&mut declarations, macros);
+    name_origins(&mut declarations);
+    tell_frames_of_parts(&mut declarations);
+    tell_parallel_frames(&mut declarations);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
     write_letters(&mut declarations, lexicon, macros);
@@ -118,6 +130,7 @@ fn name_things(
     leave_long_names(&mut declarations);
     name_by_formulas(&mut declarations);
     tell_relations(&mut declarations);
+    say_plainly(&mut declarations, macros);
     declarations
 }
 
@@ -179,6 +192,7 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     place_at_zero(declarations);
     tell_hinges(declarations);
     name_ends(declarations);
+    lay_by_angles(declarations, macros);
     begin_rods(declarations, macros);
     name_placed_centres(declarations);
 }

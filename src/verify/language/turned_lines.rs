@@ -1,11 +1,13 @@
 //! Lines that are told by their angle with an axis, towards another one: they turn in the plane of both.
 
 use super::heads::{POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS, VERTICAL};
+use super::inclined_frames::incline_frames;
 use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::turned_triads::turn_triads;
 use super::turned_vectors::turn_vectors;
 use crate::notation::Macros;
 
@@ -22,6 +24,8 @@ pub(super) struct Direction {
 /// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_vectors(declarations, macros);
+    turn_triads(declarations, macros);
+    incline_frames(declarations, macros);
     let mut at = 0;
     while at < declarations.len() {
         let turned = turned(&declarations[at].statement, declarations, macros);
@@ -78,7 +82,7 @@ fn turned(
 
 /// The number of the axis about which a line turns from a direction, and whether it turns forwards about it: towards another
 /// direction, or about a third one.
-fn sense(
+pub(super) fn sense(
     what: &NounPhrase,
     from: &Direction,
     declarations: &[Declaration],

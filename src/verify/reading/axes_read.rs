@@ -2,6 +2,7 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::VERTICAL;
+use crate::verify::language::messages::numbered_frame;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
@@ -407,7 +408,8 @@ fn same_label(one: &str, other: &str) -> bool {
 fn labelled_alike(one: (&str, &str), other: (&str, &str)) -> bool {
     let letter = |(name, frame): (&'_ str, &'_ str)| {
         let (letter, label) = name.split_once('_')?;
-        (label == frame).then(|| letter.to_owned())
+        let own = label == frame || numbered_frame(label) == frame;
+        own.then(|| letter.to_owned())
     };
     letter(one).is_some() && letter(one) == letter(other)
 }

@@ -1,12 +1,14 @@
 //! Frames, and how they turn against one another.
 
 use crate::algebra::Fraction;
+use crate::verify::language::messages::number_of_frame;
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{along_of, name_of, opposite};
 use crate::verify::reading::parents_read::{carried_by_frames, of_euler_angles, turned_against};
+use crate::verify::term::labels::raised;
 use crate::verify::term::letters::Reach;
 use crate::verify::term::quantity::Quantity;
 use num_traits::Zero;
@@ -79,8 +81,10 @@ impl Builder<'_> {
         for (name, frame) in self.frames.clone() {
             // A frame with a label is written so as a label of others: `S_0` is `S0` there.
             let plain = name.replace("~cal", "");
+            // One that is called by its number has this for a label above letters.
+            let number = number_of_frame(&plain).map(raised);
             let names = [plain.replace('_', ""), plain, name];
-            let names = names.into_iter().map(|name| (name, frame));
+            let names = names.into_iter().chain(number).map(|name| (name, frame));
             self.reading.letters.frame_names.extend(names);
         }
         self.same_frames();

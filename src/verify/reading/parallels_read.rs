@@ -165,13 +165,14 @@ impl Builder<'_> {
         };
         // That there is no friction is told with the loads.
         let counted = self.lists_loads();
-        let ways: Vec<_> = ways
-            .into_iter()
-            .filter(|(_, term)| !(counted && term.is_noun(WITHOUT_FRICTION)))
-            .collect();
+        let smooth = |term: &Term| counted && term.is_noun(WITHOUT_FRICTION);
+        let ways: Vec<_> = ways.into_iter().filter(|(_, t)| !smooth(t)).collect();
         let (slot, way) = match ways.as_slice() {
             [] => return self.move_freely(subjects, frame),
             [way] => way,
+            [(Slot::Along, way), (Slot::At, rate)] => {
+                return self.hold_rate_along(subjects, way, rate, frame, declaration);
+            }
             _ => return None,
         };
         if let (Slot::Along, Term::Phrase(axis)) = (slot, way)
@@ -210,7 +211,7 @@ impl Builder<'_> {
     }
 
     /// A point, or the mass centre of a body of which all points move alike, as it does not turn relative to a frame.
-    fn moving_point(&mut self, mover: &Term, frame: FrameId) -> Option<PointId> {
+    pub(super) fn moving_point(&mut self, mover: &Term, frame: FrameId) -> Option<PointId> {
         if let Some(point) = self.point(mover) {
             return Some(point);
         }

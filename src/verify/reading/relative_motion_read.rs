@@ -1,6 +1,6 @@
 //! Velocities and accelerations of points, relative to frames and to other points.
 
-use crate::verify::language::statement::{NounPhrase, Slot};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::term::quantity::Quantity;
@@ -29,5 +29,34 @@ impl Builder<'_> {
             true => Quantity::Velocity { of, relative },
             false => Quantity::Acceleration { of, relative },
         })
+    }
+
+    /// "P moves relative to A along z at the rate `$v$`": that is its velocity.
+    pub(super) fn hold_rate_along(
+        &mut self,
+        subjects: &[Term],
+        way: &Term,
+        rate: &Term,
+        frame: FrameId,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let rate = match rate {
+            Term::Phrase(rate) if matches!(rate.head, "rate" | "speed") => {
+                rate.slot(Slot::Which)?
+            }
+            rate => rate,
+        };
+        let Term::Formula(rate) = rate else {
+            return None;
+        };
+        let rate = self.scalar(&rate.clone(), declaration)?;
+        let axis = self.axis_vector(way, declaration)?;
+        for mover in subjects {
+            let point = self.moving_point(mover, frame)?;
+            let velocity = self.system().velocity(point, frame);
+            self.hold_zero(&(velocity - axis.clone() * rate.clone()), declaration);
+            self.hold_smooth_force(mover, &axis, declaration)?;
+        }
+        Some(())
     }
 }

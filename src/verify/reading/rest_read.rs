@@ -117,6 +117,7 @@ impl Builder<'_> {
 
     /// "K is a frame fixed in N", "A and B are frames fixed in the body": one does not turn against the other.
     pub(super) fn hold_fixed_frames(&mut self) {
+        self.hold_directions_kept();
         for declaration in self.declarations {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;

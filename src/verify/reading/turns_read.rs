@@ -3,7 +3,7 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::heads::KEEPS_DIRECTION;
-use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{Declaration, Extent, Slot, Statement, Term, slot};
 use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
@@ -235,26 +235,51 @@ impl Builder<'_> {
 impl Builder<'_> {
     /// "S does not turn relative to N."
     pub(super) fn read_kept_direction(&mut self, declaration: &Declaration) {
-        let Statement::Does {
-            subjects,
-            verb: KEEPS_DIRECTION,
-            slots,
-        } = &declaration.statement
-        else {
+        if declaration.extent != Extent::Document {
             return;
-        };
-        let ground = self.reading.system.ground;
-        let relative = told(slot(slots, Slot::RelativeTo), ground, |term| {
-            self.frame(term)
-        });
-        for subject in subjects {
-            match self.frame(subject).zip(relative) {
+        }
+        for (frame, relative) in self.directions_kept(declaration) {
+            match frame.zip(relative) {
                 Some((frame, relative)) if self.is_free_against(frame, relative) => {
                     self.reading.system.frames[frame].turn = Turn::Fixed;
                 }
                 _ => self.say_unused(declaration),
             }
         }
+    }
+
+    /// "In this section S does not turn relative to N": there its angular velocity vanishes, whatever else is told elsewhere.
+    pub(super) fn hold_directions_kept(&mut self) {
+        for declaration in self.declarations {
+            if declaration.extent == Extent::Document {
+                continue;
+            }
+            for (frame, relative) in self.directions_kept(declaration) {
+                match frame.zip(relative) {
+                    Some((frame, relative)) => {
+                        let turns = self.system().angular_velocity(frame, relative);
+                        self.hold_zero(&turns, declaration);
+                    }
+                    None => self.say_unused(declaration),
+                }
+            }
+        }
+    }
+
+    /// What a sentence says not to turn, and relative to what.
+    fn directions_kept(
+        &self,
+        declaration: &Declaration,
+    ) -> Vec<(Option<FrameId>, Option<FrameId>)> {
+        let Some((subjects, slots)) = declaration.statement.does(KEEPS_DIRECTION) else {
+            return vec![];
+        };
+        let ground = self.reading.system.ground;
+        let relative = told(slot(slots, Slot::RelativeTo), ground, |term| {
+            self.frame(term)
+        });
+        let frames = subjects.iter().map(|subject| self.frame(subject));
+        frames.map(|frame| (frame, relative)).collect()
     }
 
     /// Whether nothing is told yet of how a frame turns against its parent.

@@ -5,6 +5,11 @@ pub(crate) fn rate_of(spelled: &str) -> String {
     format!("\\dot {spelled}")
 }
 
+/// How the number of a frame is noted where it stands above a letter.
+pub(crate) fn raised(number: &str) -> String {
+    format!("^{number}")
+}
+
 /// A label without spaces and commas.
 pub(crate) fn plain(label: &str) -> String {
     label

@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::model::blows::Side;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::customs::Customs;
+use crate::verify::term::labels::raised;
 use crate::verify::term::quantity::Quantity;
 pub(crate) use crate::verify::term::spelled::{
     labelled_letter, letter_names, letters_and_names, loosely, spell, spelled,
@@ -357,7 +358,10 @@ impl Letters {
 
     /// What a frame above a letter does to it, where that is a custom.
     pub(crate) fn raised_frame(&self, label: &str) -> Option<Effect> {
-        let frame = self.frame(label).filter(|_| self.customs.raised_frames);
+        // One that is called by its number has this for a label.
+        let numbered = || self.frame(&raised(label));
+        let frame = self.frame(label).or_else(numbered);
+        let frame = frame.filter(|_| self.customs.raised_frames);
         frame.map(Effect::ComponentsOn)
     }
 

@@ -129,3 +129,27 @@ $$ \vec p_1 = \int_{t_0}^{t_1} \vec F \, dt $$
 ";
     assert!(!judged(&declared, text).contains('r'));
 }
+
+#[test]
+fn letters_with_labels_of_instants_tell_the_letter_itself() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+P is a point fixed in B.
+$m$ is the mass of the body.
+$\vec F$ is the force at P on the body.
+$\vec\rho$ is the position of P from G.
+The force at P is the only load on the body.
+The labels 1 and 2 mean at the instants $t_1$ and $t_2$.
+$\vec p_1$ and $\vec p_2$ are the momentum of the body relative to N at $t_1$ and $t_2$.
+$\vec v_2$ is the velocity of G relative to N at $t_2$.
+";
+    let text = r"
+$$ \vec p_2 = m \vec v_2 $$
+$$ \vec p_1 = m \vec v_2 $$
+$$ \vec p_2 - \vec p_1 = \int_{t_1}^{t_2} \vec F \, dt $$
+$$ \vec p_2 + \vec p_1 = \int_{t_1}^{t_2} \vec F \, dt $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}

@@ -134,3 +134,63 @@ $$ v = r w\times z $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn what_does_not_turn_on_one_line_turns_on_the_others() {
+    let sentences = r"
+A is a frame.
+B is a frame that moves relative to A.
+Q is a point.
+$w$ is the angular velocity of B relative to A.
+$r$ is the position of Q from the origin of A.
+$p$ is the position of the origin of B from the origin of A.
+$s$ is the position of Q from the origin of B.
+On line 3 B does not turn relative to A.
+On lines 4 to 5 the origin of B is the origin of A.
+";
+    let text = r"
+$$ w = 0 $$
+$$ w = 0 $$
+$$ r = s $$
+$$ r = p + s $$
+";
+    assert_eq!(judged(sentences, text), "rppp");
+}
+
+#[test]
+fn a_frame_is_inclined_about_the_axis_that_stays_level() {
+    let sentences = r"
+N is an inertial frame.
+The floor is a horizontal plane fixed in N.
+$z$ is the upward vertical.
+The coin is a uniform thin disc of mass $m$ and radius $r$.
+G is the mass centre of the coin.
+C is the point where the coin touches the floor.
+The coin rolls on the floor at C without slipping.
+A is a frame that turns relative to N about $z$ at the rate $w$.
+$e$, $f$, $h$ are the axes of A.
+$f$ is the unit vector from C to G.
+$h$ is the axis of the coin.
+The angle between $h$ and $z$ is $a$.
+$e$ is horizontal.
+G is at rest relative to N.
+The coin turns relative to A about $h$ at the rate $s$.
+$g$ is the acceleration of gravity.
+$V$ is the potential energy of the coin, which is zero on the floor.
+$T$ is the kinetic energy of the coin relative to N.
+$E$ is the sum of $T$ and $V$.
+C moves along the floor relative to N with the speed $v$.
+$w$ is positive.
+$a$ lies between $0$ and $\pi/2$.
+$a$ and $w$ are constant.
+";
+    let text = r"
+$$ z = \sin a\, f + \cos a\, h $$
+$$ z = -\sin a\, f + \cos a\, h $$
+$$ s = -w\cos a $$
+$$ V = m g r\sin a $$
+$$ V = m g r\cos a $$
+$$ E = T + m g r\sin a $$
+";
+    assert_eq!(judged(sentences, text), "prpprp");
+}

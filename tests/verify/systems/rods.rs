@@ -341,3 +341,60 @@ $$ T = \tfrac12 m b^2 \dot q^2 $$
     let longer = sentences.replace("length $b$", "length $a$");
     assert!(!judged(&longer, text).contains('p'));
 }
+
+#[test]
+fn a_rod_along_a_unit_vector_hangs_where_the_angle_of_that_is_zero() {
+    let sentences = r"
+N is an inertial frame.
+x, y, z are the axes of N.
+y is the upward vertical.
+The bar is a uniform thin rod of mass $m$ and length $b$.
+B is a frame fixed in the bar.
+A is a point fixed in N and in B.
+A is an end of the bar.
+S is the mass centre of the bar.
+n is the unit vector from A to S.
+B turns relative to N about the axis through A along z by the angle $q$.
+The angle between n and the downward vertical is $q$.
+$T$ is the kinetic energy of the bar relative to N.
+$u$, $v$ are the components along x and y of the position of S from A.
+";
+    let text = r"
+$$ T = \tfrac16 m b^2\dot q^2 $$
+$$ T = \tfrac18 m b^2\dot q^2 $$
+$$ u = \tfrac{b}{2}\sin q $$
+$$ v = -\tfrac{b}{2}\cos q $$
+$$ v = \tfrac{b}{2}\cos q $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+    let up = sentences.replace("downward", "upward");
+    let text = r"
+$$ v = \tfrac{b}{2}\cos q $$
+$$ u = \tfrac{b}{2}\sin q $$
+";
+    assert_eq!(judged(&up, text), "pr");
+}
+
+#[test]
+fn a_rod_from_one_point_to_another_has_these_for_its_ends() {
+    let sentences = r"
+N is an inertial frame.
+$k$ is the vertical, pointing up.
+A is a frame fixed in the mast and has the axes $e$, $t$, $k$.
+A turns relative to N about $k$ at the constant rate $w$.
+B is a frame fixed in the jib and has the axes $b$, $c$, $d$.
+$c$ and $t$ are the same vector.
+$a$ is the angle from $e$ to $b$, positive about $-t$.
+The jib's foot O is a point fixed in N, A and B.
+The jib is a slender uniform rod (mass $m$, length $l$) reaching from O to P along $b$.
+$r$ is the position of P from O.
+$T$ is the kinetic energy of the jib relative to N.
+";
+    let text = r"
+$$ r = l\cos a\, e + l\sin a\, k $$
+$$ r = l\cos a\, e - l\sin a\, k $$
+$$ T = \tfrac16 m l^2(\dot a^2 + w^2\cos^2 a) $$
+$$ T = \tfrac16 m l^2(\dot a^2 + w^2\sin^2 a) $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}

@@ -1,0 +1,213 @@
+//! Frames that turn about the vertical and are inclined against it: by the angle of one axis, about another that stays level.
+
+use super::heads::{CONSTANT, CONTACT_POINT, UNIT_VECTOR, VERTICAL};
+use super::kinds::name;
+use super::planar_axes::axis;
+use super::reader::formula;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
+
+/// An inclined frame, which of its axes stays level, which one the angle tells, and the letter of that.
+struct Inclined {
+    frame: Term,
+    upright: Term,
+    level: usize,
+    tilted: usize,
+    angle: Formula,
+    /// The sentence of the turn about the vertical.
+    turn: usize,
+    /// The sentences that say no more than that.
+    used: [usize; 2],
+}
+
+/// "A turns relative to N about the vertical z at the rate `$\Omega$`. `$e_1$` is horizontal. The angle between `$e_3$` and z is
+/// `$\alpha$`. `$e_2$` is the unit vector from the point of contact to G": a level frame turns about z, and A is turned
+/// against it about `$e_1$` by α, to that side where `$e_2$` points upward.
+pub(super) fn incline_frames(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let all = (0..declarations.len()).find_map(|at| inclined(at, declarations));
+    let Some(inclined) = all else { return };
+    let own = declarations[inclined.turn].clone();
+    let Some(told) = statements(&inclined, declarations, macros) else {
+        return;
+    };
+    put_level(&mut declarations[inclined.turn].statement, &inclined.frame);
+    let mut at = 0;
+    declarations.retain(|_| {
+        at += 1;
+        !inclined.used.contains(&(at - 1))
+    });
+    declarations.extend(told.into_iter().map(|said| own.saying(said)));
+}
+
+fn level(frame: &Term) -> Term {
+    let name = name(frame).unwrap_or_default();
+    Term::Name(format!("level {name}"))
+}
+
+/// The turn about the vertical is that of the level frame.
+fn put_level(statement: &mut Statement, frame: &Term) {
+    if let Statement::Is { subjects, .. } | Statement::Does { subjects, .. } = statement {
+        *subjects = vec![level(frame)];
+    }
+}
+
+/// How the level frame and the inclined one lie.
+fn statements(
+    inclined: &Inclined,
+    declarations: &[Declaration],
+    macros: &Macros,
+) -> Option<Vec<Statement>> {
+    let Inclined {
+        frame,
+        upright,
+        level: about,
+        tilted,
+        angle,
+        ..
+    } = inclined;
+    let other = 6 - about - tilted;
+    points_up(frame, other, declarations)?;
+    // Turned forwards, the axis behind the tilted one goes down.
+    let source = match *about % 3 + 1 == *tilted {
+        true => format!("-{}", angle.source),
+        false => angle.source.clone(),
+    };
+    let by = Term::Formula(formula(&source, false, macros)?);
+    let by = NounPhrase::new("angle", vec![(Slot::Which, by)]);
+    let base = level(frame);
+    let Term::Phrase(third) = axis(*tilted, Some(&base)) else {
+        return None;
+    };
+    let letter = Term::Formula(angle.clone());
+    let constant = declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == CONSTANT && subjects.contains(&letter),
+        _ => false,
+    });
+    let constant =
+        (!constant).then(|| Statement::one_is(letter, NounPhrase::new(CONSTANT, vec![])));
+    let turn = Statement::Does {
+        subjects: vec![frame.clone()],
+        verb: "turn",
+        slots: vec![
+            (Slot::RelativeTo, base.clone()),
+            (Slot::About, axis(*about, Some(&base))),
+            (Slot::By, Term::Phrase(Box::new(by))),
+        ],
+    };
+    let frames = Statement::one_is(base, NounPhrase::new("frame", vec![]));
+    let told = [frames, Statement::one_is(upright.clone(), *third), turn];
+    Some(told.into_iter().chain(constant).collect())
+}
+
+/// A frame whose turn about the vertical a sentence tells, where others tell of its axes.
+fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
+    let (subjects, slots) = match &declarations[turn].statement {
+        Statement::Is { subjects, what } if what.head == "frame" => (subjects, &what.slots),
+        Statement::Does {
+            subjects,
+            verb: "turn",
+            slots,
+        } => (subjects, slots),
+        _ => return None,
+    };
+    let ([frame], true) = (
+        subjects.as_slice(),
+        slots.iter().any(|(slot, _)| *slot == Slot::At),
+    ) else {
+        return None;
+    };
+    let (_, upright) = slots.iter().find(|(slot, _)| *slot == Slot::About)?;
+    is_upward(upright, declarations).then_some(())?;
+    let axes = axes_of(frame, declarations)?;
+    let number = |term: &Term| {
+        let called = name(term)?;
+        let at = axes
+            .iter()
+            .position(|axis| name(axis).as_ref() == Some(&called))?;
+        Some(at + 1)
+    };
+    let (flat, level) = level_axis(declarations)?;
+    let about = number(level)?;
+    let mut said = declarations.iter().enumerate();
+    let (leaning, tilted, angle) = said.find_map(|(at, d)| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "angle" && what.slots.len() == 2 => {
+            let ends: Vec<&Term> = what.all(Slot::Between).collect();
+            let (&[one, other], [Term::Formula(angle)]) = (ends.as_slice(), subjects.as_slice())
+            else {
+                return None;
+            };
+            let axis = [(one, other), (other, one)]
+                .into_iter()
+                .find_map(|(axis, end)| (end == upright).then(|| number(axis)).flatten());
+            Some((at, axis?, angle.clone()))
+        }
+        _ => None,
+    })?;
+    (about != tilted).then(|| Inclined {
+        frame: frame.clone(),
+        upright: upright.clone(),
+        level: about,
+        tilted,
+        angle,
+        turn,
+        used: [flat, leaning],
+    })
+}
+
+/// The sentence that says that one axis is horizontal, and which.
+fn level_axis(declarations: &[Declaration]) -> Option<(usize, &Term)> {
+    let mut said = declarations.iter().enumerate();
+    said.find_map(|(at, d)| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "horizontal" => {
+            match subjects.as_slice() {
+                [axis] => Some((at, axis)),
+                _ => None,
+            }
+        }
+        _ => None,
+    })
+}
+
+/// Whether a sentence says that a direction is the upward vertical.
+fn is_upward(direction: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let vertical = what.head == VERTICAL || what.is(VERTICAL);
+            vertical && what.is("upward") && subjects.contains(direction)
+        }
+        _ => false,
+    })
+}
+
+/// The names of the axes of a frame.
+fn axes_of<'d>(frame: &Term, declarations: &'d [Declaration]) -> Option<&'d [Term]> {
+    declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "axes" => {
+            let own = what.slot(Slot::Of) == Some(frame) && subjects.len() == 3;
+            own.then_some(subjects.as_slice())
+        }
+        _ => None,
+    })
+}
+
+/// Whether an axis leads from where a body touches what it lies on to another point, and so upward.
+fn points_up(frame: &Term, number: usize, declarations: &[Declaration]) -> Option<()> {
+    let axis = axes_of(frame, declarations)?.get(number - 1)?;
+    let called = name(axis)?;
+    let touches = |point: &Term| {
+        declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                what.head == CONTACT_POINT && subjects.contains(point)
+            }
+            _ => false,
+        })
+    };
+    let leads = declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == UNIT_VECTOR => {
+            let own = matches!(subjects.as_slice(), [one] if name(one).as_ref() == Some(&called));
+            own && what.slot(Slot::From).is_some_and(touches) && what.slot(Slot::To).is_some()
+        }
+        _ => false,
+    });
+    leads.then_some(())
+}

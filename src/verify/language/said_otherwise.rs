@@ -1,0 +1,103 @@
+//! Sums of letters, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
+
+use super::heads::{CONTACT_POINT, POTENTIAL_ENERGY};
+use super::reader::formula;
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
+use crate::notation::Macros;
+
+/// Brings them to these terms.
+pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    for declaration in declarations.iter_mut() {
+        if let Some(sum) = sum_of_letters(&declaration.statement, macros) {
+            declaration.statement = sum;
+        }
+    }
+    say_besides(declarations, |statement| {
+        take_speed(statement).into_iter().collect()
+    });
+    let zeros: Vec<Option<Statement>> = declarations
+        .iter()
+        .map(|d| zero_on_surface(&d.statement, declarations))
+        .collect();
+    for (declaration, zero) in declarations.iter_mut().zip(zeros) {
+        if let Some(zero) = zero {
+            declaration.statement = zero;
+        }
+    }
+}
+
+/// "`$E$` is the sum of `$T$` and `$V$`": E = T + V.
+fn sum_of_letters(statement: &Statement, macros: &Macros) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([Term::Formula(letter)], "sum") = (subjects.as_slice(), what.head) else {
+        return None;
+    };
+    let parts = what.slots.iter().map(|(slot, term)| match (slot, term) {
+        (Slot::Of, Term::Formula(part)) => Some(part.source.as_str()),
+        _ => None,
+    });
+    let parts: Vec<&str> = parts.collect::<Option<_>>()?;
+    let equation = format!("{}={}", letter.source, parts.join("+"));
+    (parts.len() > 1 && what.adjectives.is_empty())
+        .then(|| formula(&equation, false, macros))
+        .flatten()
+        .map(Statement::Holds)
+}
+
+/// "P moves along the table relative to N with the speed `$v$`": v is its speed.
+fn take_speed(statement: &mut Statement) -> Option<Statement> {
+    let Statement::Does {
+        subjects,
+        verb: "move",
+        slots,
+    } = statement
+    else {
+        return None;
+    };
+    let [mover] = subjects.as_slice() else {
+        return None;
+    };
+    let speed = |said: &(Slot, Term)| matches!(said, (Slot::With, Term::Formula(_)));
+    let at = slots.iter().position(speed)?;
+    let relative = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);
+    let of = std::iter::once((Slot::Of, mover.clone()));
+    let what = NounPhrase::new("speed", of.chain(relative.cloned()).collect());
+    let (_, letter) = slots.remove(at);
+    // Along a thing it moves anyhow.
+    slots.retain(|said| !matches!(said, (Slot::Along, Term::Name(_))));
+    Some(Statement::one_is(letter, what))
+}
+
+/// "`$V$` is zero on the table", of a potential energy: it is zero where the body touches that.
+fn zero_on_surface(statement: &Statement, declarations: &[Declaration]) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([letter], "zero", [(Slot::At, surface)]) =
+        (subjects.as_slice(), what.head, what.slots.as_slice())
+    else {
+        return None;
+    };
+    let body = declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == POTENTIAL_ENERGY => subjects
+            .contains(letter)
+            .then(|| what.slot(Slot::Of))
+            .flatten(),
+        _ => None,
+    })?;
+    let point = declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == CONTACT_POINT => {
+            let own = what.all(Slot::Of).any(|of| of == body);
+            let there = what.slot(Slot::On) == Some(surface);
+            (own && there).then(|| subjects.first()).flatten()
+        }
+        _ => None,
+    })?;
+    let of = [(Slot::Of, body.clone()), (Slot::At, point.clone())];
+    let mut zero = NounPhrase::new(POTENTIAL_ENERGY, of.to_vec());
+    zero.adjectives.push("zero");
+    Some(Statement::Premise(zero))
+}
