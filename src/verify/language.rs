@@ -76,6 +76,7 @@ mod named_members;
 mod numbered_frames;
 mod on_lines;
 mod on_rings;
+mod one_thing;
 mod origins;
 mod other_components;
 mod other_loads;

@@ -25,6 +25,7 @@ pub(crate) mod contact_read;
 mod contradictory;
 pub(crate) mod coordinates_read;
 pub(crate) mod corners_read;
+mod customary_notation;
 pub(crate) mod definitions_read;
 pub(crate) mod densities_read;
 pub(crate) mod directions_read;

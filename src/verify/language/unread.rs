@@ -3,12 +3,12 @@
 use super::clause::as_formula;
 use super::heads::OF_COUNTING;
 use super::lexicon::Class;
+use super::one_thing::{is_letter, is_of_one_thing};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
 use super::statement::{Formula, Sign, Touched};
 use super::words::{Kind, Token};
-use crate::notation::ast::{Kind as Tree, Node, Operator};
 use crate::notation::document::Row;
 
 /// Words that behind "for" say something of a letter with any labels.
@@ -398,25 +398,4 @@ impl Reader<'_> {
 /// Whether a word may take back what is assumed of things, or may tell how something is counted or written.
 fn retracts(word: &str) -> bool {
     RETRACTING.contains(&word) || RULING.contains(&word)
-}
-
-/// Whether a formula writes one thing, and is no way to write things: letters and numbers, and what is made of them.
-fn is_of_one_thing(formula: &Formula) -> bool {
-    matches!(&formula.row, Row::Expression(node) if is_made_of_letters(node))
-}
-
-fn is_letter(formula: &Formula) -> bool {
-    matches!(&formula.row, Row::Expression(node) if matches!(node.kind, Tree::Symbol(_)))
-}
-
-fn is_made_of_letters(node: &Node) -> bool {
-    let own = match &node.kind {
-        Tree::Product(factors) => factors.iter().all(|f| f.operator == Operator::Juxtaposed),
-        Tree::TimeDerivative { .. } | Tree::Derivative { .. } | Tree::Skew(_) | Tree::Error(_) => {
-            false
-        }
-        Tree::Function(..) | Tree::Integral { .. } | Tree::IndexedSum { .. } => false,
-        _ => true,
-    };
-    own && node.children().all(is_made_of_letters)
 }

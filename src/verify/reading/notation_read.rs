@@ -1,11 +1,10 @@
 //! Rules for marks, labels and operators.
 
-use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
+use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CONJUGATE, DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE,
-    FULL_STOP, INSTANT, INVERSE_MAP, LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, QUATERNION_DOT,
-    QUATERNION_PRODUCT, RATE_FROM_FRAME, ROWS_OF_MATRIX, SECOND_RATE, SQUARE_OF_VECTOR,
-    TENSOR_PRODUCT, TWO_DOTS, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
+    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE, INSTANT,
+    LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, QUATERNION_DOT, RATE_FROM_FRAME, ROWS_OF_MATRIX,
+    TENSOR_PRODUCT, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
 };
 use crate::verify::language::rate_letters::rate_letter;
 use crate::verify::language::statement::{
@@ -14,12 +13,13 @@ use crate::verify::language::statement::{
 use crate::verify::model::blows::Side;
 use crate::verify::reading::blows_read::side;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::customary_notation::{is_custom, plain_label};
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, are_products, index_letter, name_of, node_of, reach_of,
 };
 use crate::verify::reading::operators_read::{component_of_cross, is_quaternion_product};
-use crate::verify::term::labels::{plain, without_commands};
+use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
 
 impl Builder<'_> {
@@ -328,41 +328,6 @@ impl Builder<'_> {
     }
 }
 
-/// Whether a rule says no more than what is custom: that a dot is a rate, that a × b is the cross product. Of which
-/// coordinates a function is, its own law says.
-fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
-    let NotationMeaning::Noun(phrase) = meaning else {
-        return false;
-    };
-    match sign {
-        Sign::Operator(product) if phrase.head == TENSOR_PRODUCT => has_outer_product(product),
-        Sign::Operator(dots) if phrase.head == "rate" => phrase.slots.is_empty() && is_dotted(dots),
-        Sign::Operator(_) => matches!(
-            phrase.head,
-            "function"
-                | "cross product"
-                | "dot product"
-                | "trace"
-                | "determinant"
-                | QUATERNION_PRODUCT
-                | "transpose"
-        ),
-        Sign::Custom(SQUARE_OF_VECTOR | FULL_STOP) => phrase.head == "dot product",
-        Sign::Mark(_) if phrase.head == CONJUGATE => true,
-        Sign::Mark("vee") => phrase.head == INVERSE_MAP,
-        Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,
-        Sign::Label { labels, .. } => labels.iter().all(|label| match phrase.head {
-            "transpose" => is_t(label),
-            head => head == "inverse" && plain_label(label) == "-1",
-        }),
-        Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),
-        Sign::Mark(mark) if mark.starts_with("dot") && !mark.ends_with("vector") => {
-            phrase.head == "rate" && phrase.slot(Slot::SeenFrom).is_none()
-        }
-        _ => false,
-    }
-}
-
 /// "Braces hold components on B."
 fn hold_components(brackets: &str, effect: &Effect) -> bool {
     matches!(brackets, "braces" | "round brackets") && matches!(effect, Effect::ComponentsOn(_))
@@ -383,16 +348,6 @@ fn mark_of(name: &str) -> Option<Mark> {
     }
 }
 
-/// Whether a superscript is that of a transpose.
-fn is_t(label: &str) -> bool {
-    matches!(plain_label(label).as_str(), "T" | "top" | "intercal")
-}
-
-/// A label without commands and braces.
-fn plain_label(label: &str) -> String {
-    plain(&without_commands(label).replace(['{', '}', '$'], ""))
-}
-
 /// The letters of the last label at the lower right.
 fn last_label(formula: &Formula) -> Vec<char> {
     match node_of(formula).map(|node| &node.kind) {
@@ -401,23 +356,5 @@ fn last_label(formula: &Formula) -> Vec<char> {
             .last()
             .map_or_else(Vec::new, |label| plain(label).chars().collect()),
         _ => vec![],
-    }
-}
-
-/// Whether a formula writes a rate with dots: `\dot{()}`, `()\dot{}`.
-fn is_dotted(formula: &Formula) -> bool {
-    let style = match node_of(formula).map(|node| &node.kind) {
-        Some(Kind::TimeDerivative { style, .. }) => style,
-        _ => return false,
-    };
-    *style == DerivativeStyle::Dots
-}
-
-/// Whether a formula is a product with the sign that always means the outer one.
-fn has_outer_product(formula: &Formula) -> bool {
-    let outer = |f: &Factor| f.operator == Operator::Tensor;
-    match node_of(formula).map(|node| &node.kind) {
-        Some(Kind::Product(factors)) => factors.iter().any(outer),
-        _ => false,
     }
 }

@@ -361,7 +361,9 @@ impl<'a> Judge<'a> {
         let chooses = denied && self.chooses_direction(line);
         let standing = |h: &Held| match (h.standing, purpose.role) {
             // What an author declares to be a definition is assumed: it may fix what sentences leave free.
-            (Standing::Denied, Role::Define) if purpose.declared && !h.sides.is_empty() => {
+            (Standing::Denied | Standing::Free, Role::Define)
+                if purpose.declared && !h.sides.is_empty() =>
+            {
                 self.assumed_definition(line)
             }
             (Standing::Denied, Role::Claim | Role::Define) if chooses => Standing::Settles,
@@ -410,11 +412,5 @@ impl<'a> Judge<'a> {
             shown: chosen.shown,
             sides: chosen.sides,
         });
-    }
-
-    /// Whether what a link settles is said to be defined by another line.
-    fn defines_by_another_line(&self, held: &Held) -> bool {
-        let letter = held.settles.as_ref().map(|(letter, ..)| letter);
-        letter.is_some_and(|letter| self.reading.is_defined_elsewhere(letter, &self.at))
     }
 }

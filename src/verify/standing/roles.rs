@@ -4,6 +4,7 @@ use crate::notation::ast::{Kind, Line, Node};
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues, denies_assumption};
 use crate::verify::standing::chains::Link;
+use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::verdicts::Standing;
 use crate::verify::term::letters::spelled;
@@ -138,6 +139,12 @@ impl Judge<'_> {
             true => Standing::Open,
             false => Standing::Free,
         }
+    }
+
+    /// Whether what a link settles is said to be defined by another line.
+    pub(super) fn defines_by_another_line(&self, held: &Held) -> bool {
+        let letter = held.settles.as_ref().map(|(letter, ..)| letter);
+        letter.is_some_and(|letter| self.reading.is_defined_elsewhere(letter, &self.at))
     }
 }
 

@@ -304,3 +304,20 @@ $$ 2\\rho = 1 $$
 ";
     assert_eq!(judged(sentences, text), "apr");
 }
+
+#[test]
+fn of_two_definitions_of_a_letter_the_first_holds() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+A turns relative to N about z by the angle $a$.
+$w$ is the angular velocity of A relative to N.
+Lines 2 and 3 define $p$.
+";
+    let text = r"
+$$ p = \dot a $$
+$$ p = 2\dot a $$
+$$ w = 0 $$
+";
+    assert_ne!(judged(sentences, text).pop(), Some('p'));
+}
