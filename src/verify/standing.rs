@@ -27,6 +27,7 @@ pub(crate) mod prepared;
 pub(crate) mod purposes;
 pub(crate) mod recalled;
 pub(crate) mod roles;
+mod second_order;
 pub(crate) mod shown;
 pub(crate) mod sides;
 pub(crate) mod swings;

@@ -35,6 +35,12 @@ impl Small {
         self.variables.is_empty()
     }
 
+    /// The same to second order, of what is taken to first order.
+    pub(crate) fn to_second_order(&self) -> Option<Self> {
+        let first = !self.is_empty() && self.order == 1;
+        first.then(|| Self::new(self.variables.clone(), 2))
+    }
+
     /// The premise that says so.
     pub(crate) fn premise(&self) -> &'static str {
         match self.order {

@@ -10,7 +10,7 @@ use crate::notation::Macros;
 /// "O is an end of the rod. G is its mass centre. n is the unit vector from O to G": n is along the rod, which begins at O.
 /// "The rod turns relative to N about z by the angle `$\theta$`. The angle between n and the downward vertical is `$\theta$`":
 /// whatever angle n has with the vertical at first, it stays beside θ, and so it is zero: at θ = 0 the rod points downward.
-pub(crate) fn lay_by_angles(declarations: &mut Vec<Declaration>, macros: &Macros) {
+pub(crate) fn lay_by_angles(declarations: &mut [Declaration], macros: &Macros) {
     for (at, laid) in laid_rods(declarations, macros) {
         let Some(zero) = formula(&format!("{}=0", laid.angle), false, macros) else {
             continue;

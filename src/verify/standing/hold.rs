@@ -8,6 +8,7 @@ use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::indices::{assignments, by_entries, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::second_order::SECOND_ORDER;
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::sides::{Both, both, factors};
 use crate::verify::standing::verdicts::Standing;
@@ -345,6 +346,10 @@ impl Judge<'_> {
         } = worked_out;
         let small = self.small_here();
         let alone = self.has_new_letter_alone(link, &unknown);
+        let equal = residuals.iter().all(Zero::is_zero);
+        if equal && self.differs_in_second_order(&sides, &small) {
+            return Held::open(SECOND_ORDER);
+        }
         let atoms = &mut self.reading.system.atoms;
         let mut held = Held {
             unknown,
@@ -354,7 +359,7 @@ impl Judge<'_> {
             reason: None,
             ..Held::open("")
         };
-        if residuals.iter().all(Zero::is_zero) {
+        if equal {
             held.proof = prove(&mut self.facts, atoms, &held.sides, &small);
             held.standing = Standing::Entailed;
             if held.proof.is_none() {

@@ -89,3 +89,25 @@ $$ w = 0 $$
 ";
     assert_ne!(verdicts(sentences, text).0, "p");
 }
+
+#[test]
+fn sides_of_second_order_are_compared_to_second_order() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+The axes of B are principal axes of the body.
+No moment acts on the body about G.
+$I_1$, $I_2$, $I_3$ are the principal moments of the body about G on B.
+$w$ is the angular velocity of B relative to N.
+$p$, $q$, $r$ are the components of $w$ on B.
+$p$ and $q$ are small.
+Lines 1 to 9 hold to first order in $p$, $q$.
+";
+    let text = r"
+$$ I_3\dot r = (I_1-I_2) p q \approx 0 $$
+$$ I_3\dot r = (I_1+I_2) p q \approx 0 $$
+$$ I_3\dot r = 0 $$
+";
+    assert_eq!(judged(sentences, text), "pup");
+}
