@@ -367,9 +367,9 @@ fn single(value: &Fraction) -> Option<Variable> {
 
 /// Whether a definition does not fit to what is known, though no new letter stands in it.
 fn contradicts(apart: &mut Apart<'_>, said: &Said) -> bool {
-    let sides = said.sides.clone().unwrap_or_default();
-    sides.into_iter().any(|(left, right)| {
-        let Some(left_over) = apart.normal(&(left - right)) else {
+    let mut sides = said.sides.iter().flat_map(|sides| &**sides);
+    sides.any(|(left, right)| {
+        let Some(left_over) = apart.normal(&(left.clone() - right.clone())) else {
             return true;
         };
         let mut variables = left_over.variables().into_iter();

@@ -56,7 +56,7 @@ fn recalled_or_found(
         let place = known.diagnosis.place;
         return Some(Diagnosis {
             place: place.map(|place| place.shifted(start as usize)),
-            ..known.diagnosis
+            ..known.diagnosis.clone()
         });
     }
     let before = *left;

@@ -15,6 +15,7 @@ use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::KeptApart;
 use crate::verify::reading::loads_read::tells_loads;
 use crate::verify::standing::heard::{Heard, Recalled};
+use crate::verify::standing::hold::Sides;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
@@ -22,9 +23,13 @@ use crate::verify::standing::written::{names_an_instant, without_number, written
 use crate::verify::term::letters::At;
 use foldhash::HashMap;
 use num_traits::Zero;
+use std::sync::Arc;
 
 /// Values of more terms are not looked at for what laws say.
 const MOST_OF_LAW: usize = 500;
+
+/// The two sides of a component.
+type Pair = (Fraction, Fraction);
 
 /// What one line says.
 #[derive(Clone, Debug)]
@@ -32,9 +37,9 @@ pub(crate) struct Said {
     /// The bytes of the line.
     pub(crate) span: Span,
     /// Its left and right sides, component by component; `None` where they are not worked out.
-    pub(crate) sides: Option<Vec<(Fraction, Fraction)>>,
+    pub(crate) sides: Option<Arc<[Pair]>>,
     /// The first side and the last one of a chain, component by component; none where there are but two.
-    pub(crate) ends: Vec<(Fraction, Fraction)>,
+    pub(crate) ends: Vec<Pair>,
     /// Whether it says what a letter is of which nothing was told.
     pub(crate) defines: bool,
 }
@@ -185,31 +190,26 @@ impl<'a> Apart<'a> {
             .judge
             .chain
             .links(&without_number(line), &self.judge.at);
-        let (mut sides, mut defines, mut first) = (Some(vec![]), false, 0);
-        for (number, link) in links.iter().enumerate() {
+        let (mut each, mut defines): (Vec<Option<Arc<Sides>>>, _) = (vec![], false);
+        for link in &links {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
             let worked_out = equal.then(|| self.sides_of(link));
-            match (worked_out, &mut sides) {
-                (Some(Ok(one)), Some(all)) => {
-                    if let Some((letter, left, _)) = &one.settles {
-                        self.judge.known.shapes.insert(letter.clone(), left.shape());
-                        // What has a shape by a line of this document has none in others.
-                        self.recalled = None;
-                        defines = true;
-                    }
-                    all.extend(one.sides);
-                    if number == 0 {
-                        first = all.len();
-                    }
-                }
-                _ => sides = None,
+            let one = worked_out.and_then(Result::ok);
+            let told = one.as_ref().filter(|_| each.iter().all(Option::is_some));
+            if let Some((letter, left, _)) = told.and_then(|one| one.settles.as_ref()) {
+                self.judge.known.shapes.insert(letter.clone(), left.shape());
+                // What has a shape by a line of this document has none in others.
+                self.recalled = None;
+                defines = true;
             }
+            each.push(one);
         }
-        let sides = sides.filter(|sides| !sides.is_empty());
+        let each: Option<Vec<_>> = each.into_iter().collect();
+        let (sides, ends) = each.map_or((None, vec![]), |each| all_of(&each));
         Said {
             span: line.span,
-            ends: sides.as_deref().map_or(vec![], |all| ends(all, first)),
             sides,
+            ends,
             defines,
         }
     }
@@ -300,8 +300,18 @@ impl<'a> Apart<'a> {
     }
 }
 
+/// The sides of all links of a line, if there are any, and the ends of the chain.
+fn all_of(links: &[Arc<Sides>]) -> (Option<Arc<[Pair]>>, Vec<Pair>) {
+    let sides: Arc<[Pair]> = match links {
+        [only] => only.sides.clone(),
+        _ => links.iter().flat_map(|one| &*one.sides).cloned().collect(),
+    };
+    let ends = ends(&sides, links.first().map_or(0, |first| first.sides.len()));
+    (Some(sides).filter(|sides| !sides.is_empty()), ends)
+}
+
 /// The first side of a chain and its last one, of which the first link has so many components.
-fn ends(sides: &[(Fraction, Fraction)], components: usize) -> Vec<(Fraction, Fraction)> {
+fn ends(sides: &[Pair], components: usize) -> Vec<Pair> {
     let Some(last) = sides.len().checked_sub(components).filter(|&at| at > 0) else {
         return vec![];
     };
@@ -311,7 +321,7 @@ fn ends(sides: &[(Fraction, Fraction)], components: usize) -> Vec<(Fraction, Fra
 }
 
 fn equations(said: &Said) -> Vec<(Fraction, Source)> {
-    let sides = said.sides.iter().flatten();
+    let sides = said.sides.iter().flat_map(|sides| &**sides);
     let differences = sides.map(|(left, right)| left.clone() - right.clone());
     let source = || Source::Line(None, 0);
     differences.map(|equation| (equation, source())).collect()

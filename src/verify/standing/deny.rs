@@ -22,6 +22,7 @@ use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::integrals::has_integral;
 use num_traits::Zero;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 impl Judge<'_> {
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
@@ -172,7 +173,8 @@ impl Judge<'_> {
         let atoms = &mut self.reading.system.atoms;
         match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {
-                held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+                let shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+                held.shown = shown.map(Arc::new);
                 // A length that gets no number may have the one that makes it true.
                 if held.shown.is_none() && has_letter(&held.sides, |v| atoms.is_length(v)) {
                     held.doubt = Some(messages::NO_NUMBERS.into());

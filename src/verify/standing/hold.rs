@@ -16,6 +16,7 @@ use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{GROWN, Trouble, Value};
 use num_traits::Zero;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// What one link of a line came to.
 #[derive(Clone, Debug)]
@@ -32,8 +33,8 @@ pub(super) struct Held {
     pub(super) alone: bool,
     /// Whether it would say something of the motion that its new letters do not tell.
     pub(super) restricts: bool,
-    pub(super) sides: Vec<(Fraction, Fraction)>,
-    pub(super) shown: Option<Shown>,
+    pub(super) sides: Arc<[(Fraction, Fraction)]>,
+    pub(super) shown: Option<Arc<Shown>>,
     /// The letter that it settles, with its value.
     pub(super) settles: Option<(String, Value, Value)>,
     /// Whether it speaks of values at instants: then it is no fact of all times.
@@ -43,15 +44,18 @@ pub(super) struct Held {
 /// The sides of a link, component by component.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sides {
-    pub(super) sides: Vec<(Fraction, Fraction)>,
+    pub(super) sides: Arc<[(Fraction, Fraction)]>,
     /// Letters of which nothing is told.
     pub(super) unknown: Vec<String>,
     /// The letter that it settles, with its value.
     pub(super) settles: Option<(String, Value, Value)>,
 }
 
-/// The sides, or why there are none and the letters of which nothing is told.
-pub(super) type WorkedOut = Result<Sides, (Trouble, Vec<String>)>;
+/// The sides, or why there are none.
+pub(super) type WorkedOut = Result<Sides, Untold>;
+
+/// Why there are no sides, and the letters of which nothing is told.
+pub(super) type Untold = (Trouble, Vec<String>);
 
 impl Held {
     pub(super) fn open(reason: impl Into<String>) -> Self {
@@ -64,11 +68,30 @@ impl Held {
             proof: None,
             unknown: vec![],
             alone: false,
-            sides: vec![],
+            sides: Arc::default(),
             shown: None,
             settles: None,
             at_instants: false,
         }
+    }
+
+    /// Whether both are what one link came to.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        let plain = |held: &Self| {
+            (
+                held.standing,
+                [held.beyond, held.alone, held.restricts, held.at_instants],
+            )
+        };
+        let shown = |held: &Self| held.shown.as_ref().map(Arc::as_ptr);
+        Arc::ptr_eq(&self.sides, &other.sides)
+            && plain(self) == plain(other)
+            && shown(self) == shown(other)
+            && self.settles.is_none()
+            && other.settles.is_none()
+            && (&self.reason, &self.doubt, &self.unknown)
+                == (&other.reason, &other.doubt, &other.unknown)
+            && self.proof == other.proof
     }
 }
 
@@ -242,7 +265,7 @@ impl Judge<'_> {
         let by_entries = by_entries(letters, &self.at, link);
         let free = || assignments(&free_letters(letters, &self.at, &nodes));
         let readings = cyclic_assignments(letters, &self.at, &nodes).unwrap_or_else(free);
-        let mut all = Sides::default();
+        let (mut all, mut sides) = (Sides::default(), vec![]);
         for axes in readings {
             let mut lowering = self.lowering();
             lowering.axes = axes;
@@ -256,7 +279,7 @@ impl Judge<'_> {
                     settles,
                 }) => {
                     let entries = left.entries.iter().cloned();
-                    all.sides.extend(entries.zip(right.entries.iter().cloned()));
+                    sides.extend(entries.zip(right.entries.iter().cloned()));
                     all.settles = settles.map(|letter| (letter, left, right));
                 }
                 Err(trouble) => {
@@ -276,6 +299,7 @@ impl Judge<'_> {
         }
         all.unknown.sort();
         all.unknown.dedup();
+        all.sides = sides.into();
         Ok(all)
     }
 

@@ -11,6 +11,7 @@ use crate::verify::facts::small::Small;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::{Chain, Link, head_of, may_define};
 use crate::verify::standing::hold::Held;
+use crate::verify::standing::memory::Wording;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::recalled::Recalled;
@@ -24,6 +25,7 @@ use crate::verify::standing::written::{
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::At;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -39,9 +41,9 @@ pub(crate) struct Judged {
     /// Letters of which nothing is told.
     pub(crate) unknown: Vec<String>,
     /// The numbers in which it fails.
-    pub(crate) shown: Option<Shown>,
+    pub(crate) shown: Option<Arc<Shown>>,
     /// The sides in which it fails, component by component.
-    pub(crate) sides: Vec<(Fraction, Fraction)>,
+    pub(crate) sides: Arc<[(Fraction, Fraction)]>,
 }
 
 /// A line that waits for letters.
@@ -104,6 +106,8 @@ pub(super) struct Again {
     pub(super) not_taken_in: Vec<Source>,
     /// What links came to in other documents; none once a line of this one was taken into the facts.
     pub(super) recalled: Option<Recalled>,
+    /// What the link that is looked at was found to be worth by its sides, and how that is looked for.
+    pub(super) weighed: Option<(Wording, Held)>,
 }
 
 impl<'a> Judge<'a> {

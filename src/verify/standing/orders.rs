@@ -22,7 +22,7 @@ impl Judge<'_> {
         let Ok(sides) = self.sides(link, &BTreeSet::new()) else {
             return held;
         };
-        let [(left, right)] = sides.sides.as_slice() else {
+        let [(left, right)] = &*sides.sides else {
             return held;
         };
         let difference = match upward {
