@@ -21,7 +21,7 @@ use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::Value;
-use crate::verify::term::written::WrittenSymbols;
+use crate::verify::term::written::{Written, WrittenSymbols};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A reading under way.
@@ -53,7 +53,7 @@ pub(super) const MOST_TERMS: usize = 100_000;
 /// Reads declarations about a document that writes these symbols; the variables of the model are numbered from `first` on.
 pub(crate) fn build(
     declarations: &[Declaration],
-    written: BTreeSet<String>,
+    written: Written,
     first: usize,
 ) -> Reading {
     let written = WrittenSymbols::new(written);

@@ -26,8 +26,8 @@ use std::sync::Arc;
 
 impl Judge<'_> {
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
-    pub(super) fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
-        if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
+    pub(super) fn deny(&mut self, link: &Link<'_>, held: &mut Held, residuals: &[Fraction]) {
+        if let Some(sentence) = self.unused_of(link.sides()) {
             held.doubt = Some(nothing_made_of(sentence));
             return;
         }
@@ -231,7 +231,7 @@ impl Judge<'_> {
 
     /// Whether a density, or what belongs to one element, is left over beside an integral over all of them: it may be
     /// meant to be the same for each.
-    fn speaks_of_one_element(&self, link: &Link, residuals: &[Fraction]) -> bool {
+    fn speaks_of_one_element(&self, link: &Link<'_>, residuals: &[Fraction]) -> bool {
         let system = &self.reading.system;
         let integral = has_integral(&link.left) || has_integral(&link.right);
         let of_one =

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 impl Judge<'_> {
     /// A number is one of two where the product of its differences from both vanishes. `None` for a link without an open sign.
-    pub(super) fn hold_either(&mut self, link: &Link) -> Option<Held> {
+    pub(super) fn hold_either(&mut self, link: &Link<'_>) -> Option<Held> {
         let open = open_signs(&link.left) + open_signs(&link.right);
         if open == 0 {
             return None;
@@ -21,8 +21,8 @@ impl Judge<'_> {
         let (mut unknown, mut product) = (vec![], None);
         for minus in [false, true] {
             let mut signed = link.clone();
-            sign(&mut signed.left, minus);
-            sign(&mut signed.right, minus);
+            sign(signed.left.to_mut(), minus);
+            sign(signed.right.to_mut(), minus);
             let sides = match self.sides(&signed, &BTreeSet::new()) {
                 Ok(sides) => sides,
                 Err(trouble) => return Some(self.hold_sides(link, Err(trouble))),

@@ -25,6 +25,13 @@ pub(super) struct Recalled {
     follows: Recall<Option<bool>>,
 }
 
+/// The sides of a link.
+pub(super) struct Worded {
+    pub(super) sides: Arc<Sides>,
+    /// How they are looked for, if they are kept by what they are worth.
+    pub(super) of: Option<Wording>,
+}
+
 impl Heard {
     /// For a document that begins with this.
     pub(super) fn used_by(self, system: &mut System) -> Recalled {
@@ -37,13 +44,15 @@ impl Heard {
 
 impl Apart<'_> {
     /// The sides of a link, as another document had them or worked out.
-    pub(super) fn sides_of(&mut self, link: &Link) -> Result<Arc<Sides>, Untold> {
+    pub(super) fn sides_of(&mut self, link: &Link<'_>) -> Result<Worded, Untold> {
         let asked = self.judge.reading.letters.written.times_asked();
         let own = self.wording_of(link);
         let system = &mut self.judge.reading.system;
         let known = self.recalled.as_mut().zip(own);
-        if let Some(sides) = known.and_then(|(recalled, own)| recalled.sides.known(system, own)) {
-            return Ok(sides);
+        let known = known.and_then(|(recalled, own)| recalled.sides.known_of(system, own));
+        if let Some((sides, of)) = known {
+            let of = Some(of).filter(|_| sides.unknown.is_empty());
+            return Ok(Worded { sides, of });
         }
         let sides = Arc::new(self.judge.sides(link, &BTreeSet::new())?);
         // What hangs on other lines of the document is not the same in the next one.
@@ -52,32 +61,37 @@ impl Apart<'_> {
             && terms(&sides) <= MOST_TERMS;
         match own.filter(|_| alone) {
             Some(own) => Ok(self.keep_sides(own, sides)),
-            None => Ok(sides),
+            None => Ok(Worded { sides, of: None }),
         }
     }
 
     /// Keeps the sides of a link; where another writing came to the same, they are kept once.
-    fn keep_sides(&mut self, own: Wording, sides: Arc<Sides>) -> Arc<Sides> {
+    fn keep_sides(&mut self, own: Wording, sides: Arc<Sides>) -> Worded {
         let system = &mut self.judge.reading.system;
         let Some(recalled) = &mut self.recalled else {
-            return sides;
+            return Worded { sides, of: None };
         };
         let of = recalled.sides.wording(system, &Formula::of_sides(&sides.sides));
         let Some(of) = of.filter(|_| sides.unknown.is_empty()) else {
-            recalled.sides.keep(system, own, sides.clone(), terms(&sides));
-            return sides;
+            let terms = terms(&sides);
+            recalled.sides.keep(system, own, sides.clone(), terms);
+            return Worded { sides, of: None };
         };
         let known = recalled.sides.known(system, of);
         let sides = known.unwrap_or_else(|| {
-            recalled.sides.keep(system, of, sides.clone(), terms(&sides));
+            let terms = terms(&sides);
+            recalled.sides.keep(system, of, sides.clone(), terms);
             sides
         });
         recalled.sides.keep_as(system, own, of);
-        sides
+        Worded {
+            sides,
+            of: Some(of),
+        }
     }
 
     /// A link as it is looked for; `None` for one that is not kept.
-    fn wording_of(&mut self, link: &Link) -> Option<Wording> {
+    fn wording_of(&mut self, link: &Link<'_>) -> Option<Wording> {
         let recalled = self.recalled.as_mut()?;
         let integrals = self.judge.reading.letters.customs.integrals;
         let of = Formula::of_link(link, link.relation as usize * 2 + usize::from(integrals))?;
@@ -117,7 +131,10 @@ impl Apart<'_> {
         let sides = said.sides.as_ref().filter(|_| !said.defines)?;
         let recalled = self.recalled.as_mut().filter(|_| self.is_fresh)?;
         let system = &self.judge.reading.system;
-        recalled.sides.wording(system, &Formula::of_sides(sides))
+        match said.of {
+            Some(of) => recalled.sides.anew(system, of),
+            None => recalled.sides.wording(system, &Formula::of_sides(sides)),
+        }
     }
 
     /// The number of the variables that there are, where nothing of this document was taken in.

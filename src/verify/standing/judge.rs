@@ -51,7 +51,7 @@ struct Waiting {
     /// Its place among the lines that are judged.
     place: usize,
     line: Line,
-    links: Vec<Link>,
+    links: Vec<Link<'static>>,
     purpose: Purpose,
     /// Whether it was looked at again already.
     second_time: bool,
@@ -101,7 +101,7 @@ pub(super) struct Again {
     /// Those of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
     /// The accepted ones that define letters.
-    defining: Vec<(Source, Vec<Link>)>,
+    defining: Vec<(Source, Vec<Link<'static>>)>,
     /// Lines that are taken as given and of which nothing was made.
     pub(super) not_taken_in: Vec<Source>,
     /// What links came to in other documents; none once a line of this one was taken into the facts.
@@ -131,7 +131,7 @@ impl<'a> Judge<'a> {
                 trial: None,
                 small: Small::default(),
             },
-            chain: Chain::told_by(&part.declarations),
+            chain: Chain::told_by(&part.declarations, document),
             at: At::default(),
             words: Words::default(),
             judged: vec![],
@@ -264,13 +264,14 @@ impl<'a> Judge<'a> {
             return;
         };
         if defines && answer == Answer::Accepted {
-            self.again.defining.push((self.source(), links.clone()));
+            let links = links.iter().cloned().map(Link::into_owned);
+            self.again.defining.push((self.source(), links.collect()));
         }
         if waits && answer != Answer::Proved || unknown && answer == Answer::Undecided {
             self.again.waiting.push(Waiting {
                 place: before,
                 line: line.clone(),
-                links,
+                links: links.into_iter().map(Link::into_owned).collect(),
                 purpose,
                 second_time: false,
             });
@@ -298,7 +299,7 @@ impl<'a> Judge<'a> {
     }
 
     /// What the links of a line are worth, and its braces that do not hold.
-    fn hold_line(&mut self, line: &Line, links: &[Link]) -> Vec<Held> {
+    fn hold_line(&mut self, line: &Line, links: &[Link<'_>]) -> Vec<Held> {
         self.written.small = self.reading.small_by_remainders(&line.sides, &self.at);
         let mut held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
         held.extend(self.failing_braces(line));

@@ -117,7 +117,7 @@ pub(crate) enum Formula {
 
 impl Formula {
     /// By the trees of a link, beside what else it hangs on; `None` where its text tells more than these do.
-    pub(crate) fn of_link(link: &Link, beside: usize) -> Option<Self> {
+    pub(crate) fn of_link(link: &Link<'_>, beside: usize) -> Option<Self> {
         let mut shape = Shape::default();
         shape.number(beside);
         shape.tree(&link.left)?;
@@ -187,6 +187,12 @@ impl<V> Recall<V> {
         Some(Wording { state, of })
     }
 
+    /// The formula of a wording beside the variables that there are now.
+    pub(crate) fn anew(&mut self, system: &System, wording: Wording) -> Option<Wording> {
+        let state = self.state(system)?;
+        Some(Wording { state, ..wording })
+    }
+
     /// The number of the variables that the document has; `None` where there are too many others.
     pub(crate) fn state(&mut self, system: &System) -> Option<u32> {
         let atoms = &system.atoms;
@@ -215,17 +221,26 @@ impl<V> Recall<V> {
 
     /// What was found before; the variables that it brought up then are there afterwards.
     pub(crate) fn known(&mut self, system: &mut System, wording: Wording) -> Option<Arc<V>> {
+        self.known_of(system, wording).map(|(value, _)| value)
+    }
+
+    /// The same, and the wording that it was found of.
+    pub(crate) fn known_of(
+        &mut self,
+        system: &mut System,
+        wording: Wording,
+    ) -> Option<(Arc<V>, Wording)> {
         let mut kept = self.memory.kept();
         let found = kept.values.get(&wording)?;
-        let value = match found.value {
-            Value::Own(value) => value,
-            Value::Of(other) => kept.values.get(&other)?.own()?,
+        let (value, of) = match found.value {
+            Value::Own(value) => (value, wording),
+            Value::Of(other) => (kept.values.get(&other)?.own()?, other),
         };
         if let Some(then) = found.then {
             system.atoms.bring_up(self.first, &kept.states[then as usize]);
             (self.state, self.changes) = (Some(then), Some(system.atoms.changes()));
         }
-        Some(value)
+        Some((value, of))
     }
 
     /// Keeps what was found, which has so many terms.

@@ -28,13 +28,13 @@ fn is_conditional(sentence: &str) -> bool {
 
 impl Judge<'_> {
     /// What the line that is looked at is for; a sentence about the line itself counts most.
-    pub(super) fn purpose_of(&self, line: &Line, links: &[Link], display: bool) -> Purpose {
+    pub(super) fn purpose_of(&self, line: &Line, links: &[Link<'_>], display: bool) -> Purpose {
         let mut purpose = purpose(&self.words.sentence).on(line.continues, links);
         if !display {
             purpose = purpose.in_text(links);
             purpose.doubtful |= is_conditional(&self.words.sentence);
         }
-        let sides: Vec<&Node> = links.iter().flat_map(|l| [&l.left, &l.right]).collect();
+        let sides: Vec<&Node> = links.iter().flat_map(|l| l.sides()).collect();
         if !purpose.derived && self.reading.chooses_reference(&sides) {
             purpose.role = Role::Assume;
         }
@@ -84,7 +84,7 @@ impl Judge<'_> {
     }
 
     /// Whether a line stands in another part, and says nothing of this one.
-    pub(super) fn passes_over(&self, links: &[Link]) -> bool {
+    pub(super) fn passes_over(&self, links: &[Link<'_>]) -> bool {
         let elsewhere = self
             .part
             .passes_over(links, &self.reading.letters, &self.at);
@@ -92,8 +92,8 @@ impl Judge<'_> {
     }
 
     /// Whether a line of another part is declared to hold, and this part is a case of that one.
-    fn binds_as_premise(&self, links: &[Link]) -> bool {
-        let sides: Vec<&Node> = links.iter().flat_map(|l| [&l.left, &l.right]).collect();
+    fn binds_as_premise(&self, links: &[Link<'_>]) -> bool {
+        let sides: Vec<&Node> = links.iter().flat_map(|l| l.sides()).collect();
         let role = self.reading.role(&self.at, &sides);
         self.part.is_case_of(&self.at) && matches!(role, Some(Role::Given | Role::Assume))
     }

@@ -63,7 +63,7 @@ impl Links {
 
 impl Judge<'_> {
     /// What one link is worth.
-    pub(super) fn hold(&mut self, link: &Link) -> Held {
+    pub(super) fn hold(&mut self, link: &Link<'_>) -> Held {
         let wording = self.wording(link);
         if let Some(held) = self.recall(wording) {
             return held;
@@ -83,11 +83,11 @@ impl Judge<'_> {
     }
 
     /// What a link is worth whose sides are worked out: the same for all writings of these.
-    pub(super) fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+    pub(super) fn weigh(&mut self, link: &Link<'_>, worked_out: Sides) -> Held {
         let plain = self.again.recalled.is_some()
             && worked_out.unknown.is_empty()
             && worked_out.settles.is_none()
-            && ![&link.left, &link.right].into_iter().any(has_integral);
+            && !link.sides().into_iter().any(has_integral);
         let of = plain.then(|| Formula::of_sides(&worked_out.sides));
         let wording = of.and_then(|of| self.beside(&of));
         let held = match self.recall(wording) {
@@ -103,7 +103,7 @@ impl Judge<'_> {
     }
 
     /// A link as it is looked for; `None` for one that is not kept.
-    fn wording(&mut self, link: &Link) -> Option<Wording> {
+    fn wording(&mut self, link: &Link<'_>) -> Option<Wording> {
         let relation = link.relation;
         if !matches!(relation, Relation::Equal | Relation::Defined) {
             return None;

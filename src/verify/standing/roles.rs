@@ -43,13 +43,13 @@ impl Purpose {
 
     /// The purpose of a line with these links. An assumption says what one quantity is; a row that goes on from one
     /// with more than a quantity is worked out from it, and so is one that goes on from a definition.
-    pub(crate) fn on(mut self, continues: bool, links: &[Link]) -> Self {
+    pub(crate) fn on(mut self, continues: bool, links: &[Link<'_>]) -> Self {
         // What a row goes on from is defined already.
         if continues && self.role == Role::Define {
             self.role = Role::Claim;
         }
         let assumed = matches!(self.role, Role::Assume | Role::Given);
-        let told = |link: &Link| is_quantity(&link.left) && !continues || is_quantity(&link.right);
+        let told = |link: &Link<'_>| is_quantity(&link.left) && !continues || is_quantity(&link.right);
         if assumed && !links.iter().all(told) {
             match continues {
                 true => self.role = Role::Claim,
@@ -60,8 +60,8 @@ impl Purpose {
     }
 
     /// The purpose of a line in running text.
-    pub(crate) fn in_text(mut self, links: &[Link]) -> Self {
-        let value = |link: &Link| is_quantity(&link.left) && is_value(&link.right);
+    pub(crate) fn in_text(mut self, links: &[Link<'_>]) -> Self {
+        let value = |link: &Link<'_>| is_quantity(&link.left) && is_value(&link.right);
         self.doubtful |= !self.derived && links.iter().all(value);
         self
     }

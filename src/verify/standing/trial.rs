@@ -120,12 +120,13 @@ impl Judge<'_> {
     }
 
     fn all_follow(&mut self, line: &Line) -> bool {
-        let links = Chain::default().links(&without_number(line), &self.at);
+        let line = without_number(line);
+        let links = Chain::default().links(&line, &self.at);
         !links.is_empty() && links.iter().all(|link| self.follows(link))
     }
 
     /// Whether a link is entailed, all its letters are known, and it is not that both sides vanish.
-    fn follows(&mut self, link: &Link) -> bool {
+    fn follows(&mut self, link: &Link<'_>) -> bool {
         if !matches!(link.relation, Relation::Equal | Relation::Defined) {
             return false;
         }

@@ -2,12 +2,16 @@
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// The symbols that a document writes, spelled. All who go through it share them.
+pub(crate) type Written = Arc<BTreeSet<String>>;
 
 /// The symbols that a document writes, spelled, and those of which it writes a rate. It keeps in mind what was asked: two
 /// documents that answer it alike are read alike.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct WrittenSymbols {
-    written: BTreeSet<String>,
+    written: Written,
     /// Those that a sentence writes in two ways.
     of_sentences: BTreeSet<String>,
     asked: RefCell<BTreeSet<String>>,
@@ -27,7 +31,7 @@ impl PartialEq for Times {
 }
 
 impl WrittenSymbols {
-    pub(crate) fn new(written: BTreeSet<String>) -> Self {
+    pub(crate) fn new(written: Written) -> Self {
         Self {
             written,
             ..Self::default()
@@ -64,7 +68,7 @@ impl WrittenSymbols {
     }
 
     /// The symbols of another document take the place of these.
-    pub(crate) fn replace(&mut self, other: BTreeSet<String>) {
+    pub(crate) fn replace(&mut self, other: Written) {
         self.written = other;
     }
 
