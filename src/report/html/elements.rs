@@ -5,23 +5,23 @@ use std::ops::Range;
 
 /// Elements and attributes that a drawn formula may have. There is no link among them, and nothing that is loaded or run.
 const ELEMENTS: [&str; 29] = [
+    "mi",
+    "mo",
+    "mn",
+    "msub",
+    "mrow",
+    "mover",
     "math",
     "semantics",
-    "mrow",
-    "mi",
-    "mn",
-    "mo",
     "mtext",
     "ms",
     "mspace",
     "mfrac",
     "msqrt",
     "mroot",
-    "msub",
     "msup",
     "msubsup",
     "munder",
-    "mover",
     "munderover",
     "mmultiscripts",
     "mprescripts",
@@ -108,44 +108,45 @@ struct Plain<'d> {
 impl<'d> Plain<'d> {
     /// The parts of one that is written in the plainest way and is harmless; `None` where a parser must look.
     fn of(drawn: &'d str) -> Option<Vec<Part>> {
-        let is_odd = |b: u8| b < b' ' || b == 0xef;
-        let all = drawn.strip_prefix('<')?.strip_suffix('>')?;
-        if !all.starts_with("math") || all.bytes().any(is_odd) || all.contains("]]") {
+        let bytes = drawn.as_bytes();
+        let is_odd = |b: &u8| *b < b' ' || *b == 0xef || *b == b']';
+        if !drawn.starts_with("<math") || bytes.iter().any(is_odd) {
             return None;
         }
         let mut plain = Self {
             open: vec![],
             parts: vec![],
         };
-        let mut at = 1;
-        for tag in all.split('<') {
-            // The first one opens the formula, and nothing stands behind its end.
-            let is_first = at == 1;
-            let (tag, text) = match (at + tag.len()) == drawn.len() - 1 {
-                true => (tag, ""),
-                false => tag.split_once('>')?,
-            };
-            let end = at + tag.len() + 1;
-            if !is_first && plain.open.is_empty() {
+        let mut from = 0;
+        while from < bytes.len() {
+            // Nothing stands behind the end of the formula.
+            if from > 0 && plain.open.is_empty() {
                 return None;
             }
+            let tag = bytes[from..].iter().position(|b| *b == b'>')?;
+            let end = from + tag + 1;
+            let text = bytes[end..].iter().position(|b| *b == b'<');
+            let next = text.map_or(bytes.len(), |text| end + text);
+            let (tag, text) = (&drawn[from + 1..end - 1], &drawn[end..next]);
             match tag.strip_prefix('/') {
                 Some(name) => plain.close(name, end)?,
-                None => plain.enter(tag, at - 1, end, text)?,
+                None => plain.enter(tag, from, end, text)?,
             }
             plain.has_text(text)?;
-            at = end + text.len() + 1;
+            from = next;
         }
         plain.open.is_empty().then_some(plain.parts)
     }
 
     /// Text may stand in elements that stand in the formula.
     fn has_text(&self, text: &str) -> Option<()> {
-        let is_plain = text.is_empty() || self.open.len() > 1;
+        if text.is_empty() {
+            return Some(());
+        }
         let entities = text.split('&').skip(1);
         let mut known =
             entities.map(|rest| ["lt;", "gt;", "amp;"].iter().any(|e| rest.starts_with(e)));
-        (is_plain && !text.contains('>') && known.all(|known| known)).then_some(())
+        (self.open.len() > 1 && !text.contains('>') && known.all(|known| known)).then_some(())
     }
 
     /// An element begins, or stands there with nothing in it.
@@ -203,7 +204,7 @@ fn has_plain_attributes(written: &str) -> bool {
             return false;
         };
         let is_plain = ATTRIBUTES.contains(&name) && !seen.contains(&name);
-        if !is_plain || value.contains('&') || !is_harmless_value(name, value) {
+        if !is_plain || value.contains(['&', '<']) || !is_harmless_value(name, value) {
             return false;
         }
         seen.push(name);
@@ -310,6 +311,7 @@ mod tests {
             "<math><msub><mi>x</mi></msub></math>",
             "<math><mi mathvariant=\"a\" mathvariant=\"b\">x</mi></math>",
             "<math><mi width=\"&#117;rl\">x</mi></math>",
+            "<math><mi width=\"<1\">x</mi></math>",
             "<math>x<mi>x</mi></math>",
             "<math><mi>&nbsp;</mi></math>",
             "<math><mi>x</mi>",
