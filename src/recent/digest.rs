@@ -1,6 +1,6 @@
 //! Short names of long things, so that little is kept of what is looked for.
 
-use std::hash::{BuildHasher, Hash, RandomState};
+use std::hash::{BuildHasher, Hash, Hasher, RandomState};
 use std::sync::OnceLock;
 
 /// What a thing is looked for by: 128 bits, made with two keys that each run has of its own.
@@ -15,7 +15,29 @@ impl Digest {
     /// Of something whose hash takes in all of it.
     pub(crate) fn of(thing: &(impl Hash + ?Sized)) -> Self {
         let keys = KEYS.get_or_init(Default::default);
-        Self([keys[0].hash_one(thing), keys[1].hash_one(thing)])
+        let mut all = Bytes(Vec::with_capacity(USUAL));
+        thing.hash(&mut all);
+        Self([0, 1].map(|half: usize| {
+            let mut hasher = keys[half].build_hasher();
+            hasher.write(&all.0);
+            hasher.finish()
+        }))
+    }
+}
+
+/// Most things have no more bytes.
+const USUAL: usize = 1_024;
+
+/// All that a thing says of itself, so that the keys meet it in one piece.
+struct Bytes(Vec<u8>);
+
+impl Hasher for Bytes {
+    fn write(&mut self, bytes: &[u8]) {
+        self.0.extend_from_slice(bytes);
+    }
+
+    fn finish(&self) -> u64 {
+        0
     }
 }
 

@@ -31,7 +31,8 @@ impl Judge<'_> {
             return None;
         }
         let mut instants = BTreeSet::new();
-        let known = link.sides()
+        let known = link
+            .sides()
             .into_iter()
             .all(|side| self.note_instants(side, false, &mut instants));
         let last = *instants.last()?;

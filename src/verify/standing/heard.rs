@@ -71,7 +71,9 @@ impl Apart<'_> {
         let Some(recalled) = &mut self.recalled else {
             return Worded { sides, of: None };
         };
-        let of = recalled.sides.wording(system, &Formula::of_sides(&sides.sides));
+        let of = recalled
+            .sides
+            .wording(system, &Formula::of_sides(&sides.sides));
         let Some(of) = of.filter(|_| sides.unknown.is_empty()) else {
             let terms = terms(&sides);
             recalled.sides.keep(system, own, sides.clone(), terms);

@@ -75,25 +75,6 @@ impl Held {
             at_instants: false,
         }
     }
-
-    /// Whether both are what one link came to.
-    pub(super) fn is_same(&self, other: &Self) -> bool {
-        let plain = |held: &Self| {
-            (
-                held.standing,
-                [held.beyond, held.alone, held.restricts, held.at_instants],
-            )
-        };
-        let shown = |held: &Self| held.shown.as_ref().map(Arc::as_ptr);
-        Arc::ptr_eq(&self.sides, &other.sides)
-            && plain(self) == plain(other)
-            && shown(self) == shown(other)
-            && self.settles.is_none()
-            && other.settles.is_none()
-            && (&self.reason, &self.doubt, &self.unknown)
-                == (&other.reason, &other.doubt, &other.unknown)
-            && self.proof == other.proof
-    }
 }
 
 impl Judge<'_> {
@@ -258,7 +239,11 @@ impl Judge<'_> {
     }
 
     /// Both sides of a link, for every axis that its free indices may number.
-    pub(super) fn sides(&mut self, link: &Link<'_>, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
+    pub(super) fn sides(
+        &mut self,
+        link: &Link<'_>,
+        besides: &BTreeSet<(String, usize)>,
+    ) -> WorkedOut {
         if let Some(settled) = self.settled_by_relation(link) {
             return Ok(settled);
         }

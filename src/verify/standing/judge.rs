@@ -3,6 +3,7 @@
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::Line;
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
+use crate::recent::Digest;
 use crate::source::{self, Span};
 use crate::verify::Role;
 use crate::verify::facts::Source;
@@ -108,6 +109,8 @@ pub(super) struct Again {
     pub(super) recalled: Option<Recalled>,
     /// What the link that is looked at was found to be worth by its sides, and how that is looked for.
     pub(super) weighed: Option<(Wording, Held)>,
+    /// What the document writes, as it is looked for.
+    pub(super) writing: Option<Digest>,
 }
 
 impl<'a> Judge<'a> {
@@ -193,20 +196,6 @@ impl<'a> Judge<'a> {
         {
             self.words.sentence.drain(..at);
         }
-    }
-
-    /// Whether a formula stands behind a name and a colon on its line: "(c) Symmetric body: …" says of nothing that it is
-    /// so.
-    fn is_only_named(&self, line: &Line) -> bool {
-        let text = &self.document.source.text;
-        let before = text[..line.span.range().start].trim_end_matches(['$', '\\', '(', '`']);
-        let beside = before
-            .rsplit('\n')
-            .next()
-            .is_some_and(|line| line.contains(':'));
-        let paragraph = self.words.sentence.rsplit('\n').next();
-        let paragraph = paragraph.unwrap_or("").trim_end();
-        beside && paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
     }
 
     fn formula(&mut self, formula: &Formula) {

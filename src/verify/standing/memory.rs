@@ -104,18 +104,28 @@ pub(crate) struct Wording {
     of: Digest,
 }
 
+impl Wording {
+    /// The same beside something else that it hangs on.
+    pub(crate) fn beside(self, other: Digest) -> Self {
+        Self {
+            of: Digest::of(&(self.of, other)),
+            ..self
+        }
+    }
+}
+
 /// A formula as it is looked for.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Formula {
+pub(crate) enum Formula<'f> {
     /// Its tree.
     Tree(Vec<u8>),
     /// What its sides are worth.
-    Sides(Vec<Polynomial>),
+    Sides(Vec<&'f Polynomial>),
     /// Whether the first of these vanish where the others do, with their rates or without.
-    Follows(usize, bool, Vec<Polynomial>),
+    Follows(usize, bool, Vec<&'f Polynomial>),
 }
 
-impl Formula {
+impl<'f> Formula<'f> {
     /// By the trees of a link, beside what else it hangs on; `None` where its text tells more than these do.
     pub(crate) fn of_link(link: &Link<'_>, beside: usize) -> Option<Self> {
         let mut shape = Shape::default();
@@ -137,21 +147,21 @@ impl Formula {
     }
 
     /// By what its sides are worth.
-    pub(crate) fn of_sides(sides: &[(Fraction, Fraction)]) -> Self {
+    pub(crate) fn of_sides(sides: &'f [(Fraction, Fraction)]) -> Self {
         let sides = sides.iter().flat_map(|(left, right)| [left, right]);
         Self::Sides(parts(sides))
     }
 
     /// Whether these vanish where those do.
-    pub(crate) fn of_goals(goals: &[Fraction], from: &[Fraction], rates: bool) -> Self {
+    pub(crate) fn of_goals(goals: &'f [Fraction], from: &'f [Fraction], rates: bool) -> Self {
         Self::Follows(goals.len(), rates, parts(goals.iter().chain(from)))
     }
 }
 
 /// What fractions are made of.
-fn parts<'f>(of: impl Iterator<Item = &'f Fraction>) -> Vec<Polynomial> {
-    let parts = of.flat_map(|value| [value.numerator(), value.denominator()]);
-    parts.cloned().collect()
+fn parts<'f>(of: impl Iterator<Item = &'f Fraction>) -> Vec<&'f Polynomial> {
+    of.flat_map(|value| [value.numerator(), value.denominator()])
+        .collect()
 }
 
 /// The memory, as one document uses it.
@@ -181,7 +191,7 @@ impl<V> Recall<V> {
     }
 
     /// A formula beside the variables that there are; `None` where there are too many others.
-    pub(crate) fn wording(&mut self, system: &System, of: &Formula) -> Option<Wording> {
+    pub(crate) fn wording(&mut self, system: &System, of: &Formula<'_>) -> Option<Wording> {
         let state = self.state(system)?;
         let of = Digest::of(of);
         Some(Wording { state, of })
@@ -237,7 +247,9 @@ impl<V> Recall<V> {
             Value::Of(other) => (kept.values.get(&other)?.own()?, other),
         };
         if let Some(then) = found.then {
-            system.atoms.bring_up(self.first, &kept.states[then as usize]);
+            system
+                .atoms
+                .bring_up(self.first, &kept.states[then as usize]);
             (self.state, self.changes) = (Some(then), Some(system.atoms.changes()));
         }
         Some((value, of))

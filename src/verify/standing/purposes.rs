@@ -27,6 +27,20 @@ fn is_conditional(sentence: &str) -> bool {
 }
 
 impl Judge<'_> {
+    /// Whether a formula stands behind a name and a colon on its line: "(c) Symmetric body: …" says of nothing that it is
+    /// so.
+    pub(super) fn is_only_named(&self, line: &Line) -> bool {
+        let text = &self.document.source.text;
+        let before = text[..line.span.range().start].trim_end_matches(['$', '\\', '(', '`']);
+        let beside = before
+            .rsplit('\n')
+            .next()
+            .is_some_and(|line| line.contains(':'));
+        let paragraph = self.words.sentence.rsplit('\n').next();
+        let paragraph = paragraph.unwrap_or("").trim_end();
+        beside && paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
+    }
+
     /// What the line that is looked at is for; a sentence about the line itself counts most.
     pub(super) fn purpose_of(&self, line: &Line, links: &[Link<'_>], display: bool) -> Purpose {
         let mut purpose = purpose(&self.words.sentence).on(line.continues, links);

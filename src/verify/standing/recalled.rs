@@ -3,6 +3,7 @@
 use crate::algebra::{Argument, Combination, Reason};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::Format;
+use crate::recent::Digest;
 use crate::verify::Diagnosis;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::Link;
@@ -61,6 +62,27 @@ impl Links {
     }
 }
 
+impl Held {
+    /// Whether both are what one link came to.
+    fn is_same(&self, other: &Self) -> bool {
+        let plain = |held: &Self| {
+            (
+                held.standing,
+                [held.beyond, held.alone, held.restricts, held.at_instants],
+            )
+        };
+        let shown = |held: &Self| held.shown.as_ref().map(Arc::as_ptr);
+        Arc::ptr_eq(&self.sides, &other.sides)
+            && plain(self) == plain(other)
+            && shown(self) == shown(other)
+            && self.settles.is_none()
+            && other.settles.is_none()
+            && (&self.reason, &self.doubt, &self.unknown)
+                == (&other.reason, &other.doubt, &other.unknown)
+            && self.proof == other.proof
+    }
+}
+
 impl Judge<'_> {
     /// What one link is worth.
     pub(super) fn hold(&mut self, link: &Link<'_>) -> Held {
@@ -68,18 +90,29 @@ impl Judge<'_> {
         if let Some(held) = self.recall(wording) {
             return held;
         }
+        // What hangs on what else is written is the same where the same is.
+        let beside = wording.map(|wording| wording.beside(self.writing()));
+        if let Some(held) = self.recall(beside) {
+            self.reading.letters.written.note_asked();
+            return held;
+        }
         let asked = self.reading.letters.written.times_asked();
         self.again.weighed = None;
         let held = self.hold_anew(link);
         let weighed = self.again.weighed.take();
-        // What hangs on other lines of the document is not the same in the next one.
-        if self.reading.letters.written.times_asked() == asked {
-            match weighed.filter(|(_, weighed)| held.is_same(weighed)) {
-                Some((other, _)) => self.remember_as(wording, other),
-                None => self.remember(wording, &held),
-            }
+        let hangs = self.reading.letters.written.times_asked() != asked;
+        let wording = if hangs { beside } else { wording };
+        match weighed.filter(|(_, weighed)| held.is_same(weighed)) {
+            Some((other, _)) => self.remember_as(wording, other),
+            None => self.remember(wording, &held),
         }
         held
+    }
+
+    /// What the document writes, as it is looked for.
+    fn writing(&mut self) -> Digest {
+        let written = &self.reading.letters.written;
+        *self.again.writing.get_or_insert_with(|| written.digest())
     }
 
     /// What a link is worth whose sides are worked out: the same for all writings of these.
@@ -88,7 +121,8 @@ impl Judge<'_> {
             && worked_out.unknown.is_empty()
             && worked_out.settles.is_none()
             && !link.sides().into_iter().any(has_integral);
-        let of = plain.then(|| Formula::of_sides(&worked_out.sides));
+        let sides = worked_out.sides.clone();
+        let of = plain.then(|| Formula::of_sides(&sides));
         let wording = of.and_then(|of| self.beside(&of));
         let held = match self.recall(wording) {
             Some(held) => held,
@@ -114,7 +148,7 @@ impl Judge<'_> {
     }
 
     /// A formula beside the variables that there are; `None` where lines of this document were taken into the facts.
-    fn beside(&mut self, of: &Formula) -> Option<Wording> {
+    fn beside(&mut self, of: &Formula<'_>) -> Option<Wording> {
         if self.facts.are_too_many || !self.reading.settled.is_empty() {
             return None;
         }
@@ -175,7 +209,9 @@ impl Judge<'_> {
         let wording = wording.filter(|_| alone && terms <= MOST_TERMS);
         if let (Some(recalled), Some(wording)) = (&mut self.again.recalled, wording) {
             let system = &self.reading.system;
-            recalled.0.keep(system, wording, Arc::new(held.clone()), terms);
+            recalled
+                .0
+                .keep(system, wording, Arc::new(held.clone()), terms);
         }
     }
 }

@@ -1,9 +1,11 @@
 //! What a line is for, by the words that lead into it.
 
 use crate::notation::ast::{Kind, Node};
+use crate::recent::Recent;
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues, denies_assumption};
 use crate::verify::standing::chains::Link;
+use std::cell::RefCell;
 
 /// What stands in a sentence for a relation.
 pub(crate) const RELATION: &str = "⟨=⟩";
@@ -49,7 +51,8 @@ impl Purpose {
             self.role = Role::Claim;
         }
         let assumed = matches!(self.role, Role::Assume | Role::Given);
-        let told = |link: &Link<'_>| is_quantity(&link.left) && !continues || is_quantity(&link.right);
+        let told =
+            |link: &Link<'_>| is_quantity(&link.left) && !continues || is_quantity(&link.right);
         if assumed && !links.iter().all(told) {
             match continues {
                 true => self.role = Role::Claim,
@@ -86,8 +89,26 @@ fn is_quantity(node: &Node) -> bool {
     }
 }
 
+thread_local! {
+    /// The sentences that were heard last: lines are looked at several times.
+    static HEARD: RefCell<Recent<String, Purpose>> = RefCell::new(Recent::of(MOST_BYTES));
+}
+
+/// No more bytes of sentences are kept.
+const MOST_BYTES: usize = 1 << 16;
+
 /// What the words of a sentence so far make of the next formula: the last cue counts.
 pub(crate) fn purpose(sentence: &str) -> Purpose {
+    HEARD.with_borrow_mut(|heard| {
+        heard.get(sentence).unwrap_or_else(|| {
+            let purpose = told_by(sentence);
+            heard.insert(sentence.to_owned(), purpose, sentence.len());
+            purpose
+        })
+    })
+}
+
+fn told_by(sentence: &str) -> Purpose {
     let mut purpose = Purpose::default();
     if is_told_in_brackets(sentence) {
         return purpose;

@@ -1,5 +1,6 @@
 //! The symbols that a document writes.
 
+use crate::recent::Digest;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -63,8 +64,13 @@ impl WrittenSymbols {
     }
 
     /// Something is known by what was asked.
-    pub(super) fn note_asked(&self) {
+    pub(crate) fn note_asked(&self) {
         self.times.0.set(self.times.0.get() + 1);
+    }
+
+    /// What the document writes, as it is looked for.
+    pub(crate) fn digest(&self) -> Digest {
+        Digest::of(&*self.written)
     }
 
     /// The symbols of another document take the place of these.
