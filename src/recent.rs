@@ -5,6 +5,10 @@ use std::borrow::Borrow;
 use std::hash::Hash;
 use std::mem;
 
+mod digest;
+
+pub(crate) use digest::Digest;
+
 /// A map that forgets what was not asked for lately.
 ///
 /// It has two halves. When the new one is full it becomes the old one, and what was left in the old one is forgotten; what

@@ -47,6 +47,8 @@ pub use language::wants::Wants;
 pub use meanings::check;
 pub(crate) use standing::apart::{Apart, Said, Withheld, WorkedOut};
 pub(crate) use standing::memory::Wording;
+pub(crate) use standing::written::written_symbols;
+pub(crate) use term::written::Written;
 pub use values::quantity::{Quantity, Shape};
 pub use verdict::{
     Answer, Convention, Counterexample, Diagnosis, Finding, FromProse, Meant, Passed, Question,

@@ -279,6 +279,7 @@ impl Key {
             document: &self.document,
             lines: &self.lines,
             given,
+            written: None,
             entries: self.entries,
         }
     }

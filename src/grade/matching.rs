@@ -5,7 +5,7 @@ use crate::grade::meaning::{KeyLines, Meaning};
 use crate::grade::remembered::{Asked, Parts, Question, Remembered};
 use crate::notation::document::Document;
 use crate::source::Span;
-use crate::verify::{Apart, Said};
+use crate::verify::{Apart, Said, Written, written_symbols};
 use num_traits::{One, Zero};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -75,6 +75,8 @@ pub(super) struct Sheet<'a, 's> {
     pub(super) document: &'a Document,
     pub(super) lines: &'s [Span],
     pub(super) given: &'s [Span],
+    /// The symbols that it writes, if it is no key.
+    pub(super) written: Option<&'s Written>,
     /// Whether products of inertia are entries in it.
     pub(super) entries: bool,
 }
@@ -149,7 +151,11 @@ impl<'a> Board<'a> {
         let mut apart = Apart::after(key.document, worked_out);
         let of_own: Vec<Vec<Said>> = own
             .iter()
-            .map(|sheet| apart.lines(sheet.document, sheet.entries))
+            .map(|sheet| {
+                let written = sheet.written.cloned();
+                let written = written.unwrap_or_else(|| written_symbols(sheet.document));
+                apart.lines(sheet.document, &written, sheet.entries)
+            })
             .collect();
         let mut given = key.given_of(of_key);
         apart.settle(&given);
@@ -367,9 +373,9 @@ fn single(value: &Fraction) -> Option<Variable> {
 
 /// Whether a definition does not fit to what is known, though no new letter stands in it.
 fn contradicts(apart: &mut Apart<'_>, said: &Said) -> bool {
-    let sides = said.sides.clone().unwrap_or_default();
-    sides.into_iter().any(|(left, right)| {
-        let Some(left_over) = apart.normal(&(left - right)) else {
+    let mut sides = said.sides.iter().flat_map(|sides| &**sides);
+    sides.any(|(left, right)| {
+        let Some(left_over) = apart.normal(&(left.clone() - right.clone())) else {
             return true;
         };
         let mut variables = left_over.variables().into_iter();

@@ -4,7 +4,10 @@ use crate::algebra::Fraction;
 use crate::grade::matching::Sheet;
 use crate::grade::remembered::Remembered;
 use crate::notation::document::Document;
-use crate::verify::{self, Apart, Declared, Finding, Report, Said, Shared, Withheld, WorkedOut};
+use crate::verify::{
+    self, Apart, Declared, Finding, Report, Said, Shared, Withheld, WorkedOut, Written,
+    written_symbols,
+};
 use std::cell::OnceCell;
 
 /// What submissions mean.
@@ -42,31 +45,36 @@ impl Meaning {
     }
 
     /// A check of a document: in the new house where its meaning is declared.
-    pub(super) fn check(&self, document: &Document) -> Report {
+    pub(super) fn check(&self, document: &Document, written: &Written) -> Report {
         match self.declared().is_empty() {
             true => verify::check(document),
-            false => self.shared.check(document),
+            false => self.shared.check(document, written),
         }
     }
 
     /// The same without looking for what would put false lines right, where that is not asked for.
-    pub(super) fn judge(&self, document: &Document) -> Report {
+    pub(super) fn judge(&self, document: &Document, written: &Written) -> Report {
         match self.declared().is_empty() {
             true => verify::check(document),
-            false => self.shared.judge(document, &[]),
+            false => self.shared.judge(document, written, &[]),
         }
     }
 
     /// The same with some lines taken as claimed, where a meaning is declared.
-    pub(super) fn judge_as_claimed(&self, document: &Document, claimed: &[&Finding]) -> Report {
-        self.shared.judge(document, claimed)
+    pub(super) fn judge_as_claimed(
+        &self,
+        document: &Document,
+        written: &Written,
+        claimed: &[&Finding],
+    ) -> Report {
+        self.shared.judge(document, written, claimed)
     }
 
     /// What the lines of the key say.
     pub(super) fn key_lines(&self, key: &Sheet<'_, '_>) -> &KeyLines {
         self.key.get_or_init(|| {
             let mut apart = Apart::new(key.document, &self.declared().declarations, &self.withheld);
-            let said = apart.lines(key.document, key.entries);
+            let said = apart.lines(key.document, &written_symbols(key.document), key.entries);
             KeyLines {
                 laws: apart.laws(),
                 worked_out: apart.worked_out(&key.given_of(&said)),

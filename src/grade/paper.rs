@@ -10,7 +10,7 @@ use crate::grade::size;
 use crate::notation::document::{Document, Format, FrontMatter, Item};
 use crate::notation::{self};
 use crate::source::Span;
-use crate::verify::{Finding, Report, Role, Verdict};
+use crate::verify::{Finding, Report, Role, Verdict, Written, written_symbols};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -110,6 +110,8 @@ impl PaperLine {
 /// The work of a student, read and checked.
 pub(super) struct Paper<'k> {
     pub(super) documents: Vec<Document>,
+    /// The symbols that each document writes.
+    pub(super) written: Vec<Written>,
     pub(super) lines: Vec<PaperLine>,
     /// For each document, the bytes of its lines.
     pub(super) spans: Vec<Vec<Span>>,
@@ -154,6 +156,7 @@ impl<'k> Paper<'k> {
             documents.clear();
         }
         let entries = products(key, &documents);
+        let written: Vec<Written> = documents.iter().map(written_symbols).collect();
         let meaning = meaning(key, entries, &work.answers);
         let unclear = meaning.iter().flat_map(|own| &own.declared().misunderstood);
         if let Some(unclear) = unclear.take(1).next() {
@@ -164,7 +167,10 @@ impl<'k> Paper<'k> {
         for (number, stage) in key.stages.iter().enumerate() {
             each.push(match stage.judged_as {
                 Some(same) => each[same].clone(),
-                None => at_stage(key, number, entries, &meaning[number], work, &documents),
+                None => {
+                    let read = (&documents[..], &written[..]);
+                    at_stage(key, number, entries, &meaning[number], work, read)
+                }
             });
         }
         let spans = spans(&each, documents.len());
@@ -173,6 +179,7 @@ impl<'k> Paper<'k> {
             lines: lines(&each, &documents, several),
             questions: questions(&each),
             documents,
+            written,
             spans,
             entries,
             meaning,
@@ -221,14 +228,15 @@ fn at_stage(
     entries: bool,
     meaning: &Meaning,
     work: &Work,
-    documents: &[Document],
+    (documents, written): (&[Document], &[Written]),
 ) -> Checked {
     // With the most given, one change may put a line right.
     let mut later = key.stages.iter().skip(stage + 1);
     let is_last = later.all(|later| later.judged_as.is_some());
-    let reports = documents.iter().map(|document| match is_last {
-        true => meaning.check(document),
-        false => meaning.judge(document),
+    let each = || documents.iter().zip(written);
+    let reports = each().map(|(document, written)| match is_last {
+        true => meaning.check(document, written),
+        false => meaning.judge(document, written),
     });
     let reports: Vec<Report> = reports.collect();
     let assumes = |report: &Report| report.findings.iter().any(is_assumption);
@@ -238,15 +246,15 @@ fn at_stage(
             claimed: None,
         };
     }
-    let claimed = documents.iter().zip(&reports).map(|(document, report)| {
+    let claimed = each().zip(&reports).map(|((document, written), report)| {
         let assumed: Vec<&Finding> = report
             .findings
             .iter()
             .filter(|f| is_assumption(f))
             .collect();
         match (key.is_declared, work.answers.is_empty()) {
-            (false, _) => return meaning.judge(&with_claims(document, &assumed)),
-            (true, true) => return meaning.judge_as_claimed(document, &assumed),
+            (false, _) => return meaning.judge(&with_claims(document, &assumed), written),
+            (true, true) => return meaning.judge_as_claimed(document, written, &assumed),
             // What was answered may say what a line is for, and then counts.
             (true, false) => {}
         }
@@ -255,7 +263,7 @@ fn at_stage(
             None => format!("Line {} is a claim.", f.source_line),
         });
         let roles: Vec<String> = roles.chain(work.answers.iter().cloned()).collect();
-        key.meaning(stage, entries, &roles).judge(document)
+        key.meaning(stage, entries, &roles).judge(document, written)
     });
     let claimed = Some(claimed.collect());
     Checked { reports, claimed }

@@ -19,7 +19,7 @@ pub(super) struct Remembered(Arc<Mutex<Kept>>);
 #[derive(Debug)]
 struct Kept {
     /// The lines of the key, by the number of the variables.
-    key: HashMap<usize, Arc<[Entry]>>,
+    key: HashMap<u32, Arc<[Entry]>>,
     lines: Recent<Wording, Parts>,
     /// How many lines were numbered so far.
     numbered: usize,
@@ -49,7 +49,7 @@ pub(super) struct Parts {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Asked {
     pub(super) what: Question,
-    pub(super) state: usize,
+    pub(super) state: u32,
     pub(super) line: usize,
     pub(super) goal: usize,
 }
@@ -68,11 +68,11 @@ impl Remembered {
         look(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    pub(super) fn key(&self, state: usize) -> Option<Arc<[Entry]>> {
+    pub(super) fn key(&self, state: u32) -> Option<Arc<[Entry]>> {
         self.with(|kept| kept.key.get(&state).cloned())
     }
 
-    pub(super) fn keep_key(&self, state: usize, entries: &Arc<[Entry]>) {
+    pub(super) fn keep_key(&self, state: u32, entries: &Arc<[Entry]>) {
         self.with(|kept| kept.key.insert(state, entries.clone()));
     }
 

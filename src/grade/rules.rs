@@ -71,10 +71,12 @@ impl<'a> Marker<'a> {
             .collect();
         let own = paper.documents.iter().zip(&paper.spans).zip(&given);
         let own: Vec<Sheet<'a, '_>> = own
-            .map(|((document, lines), given)| Sheet {
+            .zip(&paper.written)
+            .map(|(((document, lines), given), written)| Sheet {
                 document,
                 lines,
                 given,
+                written: Some(written),
                 entries: paper.entries,
             })
             .collect();

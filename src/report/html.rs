@@ -5,6 +5,7 @@ use crate::grade::{Line, Numbers};
 use crate::report::Checked;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
+mod elements;
 mod formula;
 
 pub(super) use formula::{formula, is_drawn};

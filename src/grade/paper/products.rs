@@ -4,7 +4,7 @@ use crate::grade::key::Key;
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
-use crate::verify::Verdict;
+use crate::verify::{Verdict, written_symbols};
 
 /// Whether products of inertia are entries: as the submission sets or its matrices show, else as the key has it.
 pub(super) fn products(key: &Key, documents: &[Document]) -> bool {
@@ -23,7 +23,7 @@ pub(super) fn products(key: &Key, documents: &[Document]) -> bool {
         let meaning = &key.stages[0].meaning[usize::from(entries)];
         let matrices = documents.iter().flat_map(|document| {
             let spans = matrix_lines(document);
-            let findings = meaning.judge(document).findings;
+            let findings = meaning.judge(document, &written_symbols(document)).findings;
             findings
                 .into_iter()
                 .filter(move |f| spans.contains(&f.span))

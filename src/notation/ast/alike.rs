@@ -8,7 +8,7 @@ use super::{FrameLabel, Kind, Node, Number, Style, Symbol};
 pub(crate) struct Shape(Vec<u8>);
 
 /// Most formulas take no more bytes.
-const USUAL: usize = 512;
+const USUAL: usize = 256;
 
 impl Default for Shape {
     fn default() -> Self {
@@ -26,8 +26,14 @@ impl Shape {
         &self.0
     }
 
+    /// Seven bits a byte, and in all but the last byte the eighth.
     pub(crate) fn number(&mut self, number: usize) {
-        self.0.extend((number as u64).to_le_bytes());
+        let mut rest = number;
+        while rest >= 0x80 {
+            self.0.push(rest as u8 | 0x80);
+            rest >>= 7;
+        }
+        self.0.push(rest as u8);
     }
 
     fn byte(&mut self, byte: u8) {
@@ -39,7 +45,7 @@ impl Shape {
     }
 
     fn bytes(&mut self, bytes: &[u8]) {
-        self.0.extend((bytes.len() as u32).to_le_bytes());
+        self.number(bytes.len());
         self.0.extend(bytes);
     }
 
@@ -131,7 +137,8 @@ impl Shape {
             symbol.resultant,
             symbol.variation,
         ];
-        self.0.extend(marks.map(u8::from));
+        let marks = marks.into_iter().map(usize::from);
+        self.number(marks.fold(0, |all, mark| all << 1 | mark));
         self.byte(symbol.primes);
         for indices in [&symbol.subscripts, &symbol.superscripts] {
             self.number(indices.len());

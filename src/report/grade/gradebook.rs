@@ -4,9 +4,9 @@
 //! of a table begins as a formula of a spreadsheet does.
 
 use crate::grade::{Graded, Key, Outcome, Reached};
-use crate::report::grade::markdown;
 use crate::report::grade::told::{Detail, told};
 use serde_json::{Value, json};
+use std::ops::Deref;
 
 /// A form of a gradebook.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,12 +39,18 @@ pub struct File {
 }
 
 /// The file of one student, of what is told; none for a form that is a table of the class. `stem` names the student in
-/// paths.
-pub fn of_student(form: Form, key: &Key, graded: &Graded, stem: &str) -> Option<File> {
+/// paths, and `page` is the student's page as Markdown.
+pub fn of_student(
+    form: Form,
+    key: &Key,
+    graded: &Graded,
+    stem: &str,
+    page: &impl Deref<Target = String>,
+) -> Option<File> {
     let (path, value) = match form {
         Form::Gradescope => (
             format!("gradescope/{stem}/results.json"),
-            gradescope(key, graded),
+            gradescope(graded, page),
         ),
         Form::Prairielearn => (
             format!("prairielearn/{stem}/results/results.json"),
@@ -196,7 +202,7 @@ pub(super) fn feedback(told: &Graded) -> String {
         .replace('>', "&gt;")
 }
 
-fn gradescope(key: &Key, graded: &Graded) -> Value {
+fn gradescope(graded: &Graded, page: &str) -> Value {
     let test = |(at, m): (usize, &Reached)| {
         json!({
             "name": m.label, "name_format": "text", "number": (at + 1).to_string(),
@@ -207,7 +213,7 @@ fn gradescope(key: &Key, graded: &Graded) -> Value {
     };
     let tests: Vec<Value> = graded.milestones.iter().enumerate().map(test).collect();
     json!({
-        "score": graded.marks.to_f64(), "output": markdown::student(key, graded), "output_format": "md",
+        "score": graded.marks.to_f64(), "output": page, "output_format": "md",
         "stdout_visibility": "hidden", "tests": tests,
     })
 }

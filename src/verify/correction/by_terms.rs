@@ -4,7 +4,7 @@
 //! same. And where a term is a product of numbers, the line holds if the changed factor grows as the term would have to:
 //! then that factor alone is worked out anew.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Polynomial};
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Line, Node, Number, Operator, Symbol};
 use crate::source::Span;
 use crate::verify::correction::slips::Change;
@@ -14,6 +14,12 @@ use foldhash::HashMap;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::cell::RefCell;
+use std::rc::Rc;
+
+/// The forms of letters.
+const PLAIN: usize = 0;
+const DOTTED: usize = 1;
+const SQUARED: usize = 2;
 
 /// A term of a side, and what it adds to the difference of the sides.
 struct Term<'l> {
@@ -44,13 +50,39 @@ pub(super) struct Terms<'l> {
     sides: [(Span, Fraction); 2],
     /// What is left of the difference of the sides.
     left_over: Fraction,
-    /// What letters come to that were put in so far.
-    letters: RefCell<HashMap<Symbol, Tried>>,
+    letters: Rc<Letters>,
+}
+
+/// What letters come to that were put in so far: as they are, with a dot, squared.
+#[derive(Debug, Default)]
+pub(super) struct Letters([RefCell<HashMap<Symbol, Tried>>; 3]);
+
+impl Letters {
+    /// What a letter comes to in one of these forms, as it is known or is found.
+    fn value(
+        &self,
+        symbol: &Symbol,
+        form: usize,
+        find: impl FnOnce() -> Option<Tried>,
+    ) -> Option<Tried> {
+        if let Some(known) = self.0[form].borrow().get(symbol) {
+            return Some(known.clone());
+        }
+        let found = find()?;
+        let mut letters = self.0[form].borrow_mut();
+        letters.insert(symbol.clone(), found.clone());
+        Some(found)
+    }
 }
 
 impl<'l> Terms<'l> {
     /// Those of a line of two sides that are numbers; `None` where they do not add up to what is left of it.
-    pub(super) fn of(judge: &mut Judge<'_>, line: &'l Line, judged: &Judged) -> Option<Self> {
+    pub(super) fn of(
+        judge: &mut Judge<'_>,
+        line: &'l Line,
+        judged: &Judged,
+        letters: &Rc<Letters>,
+    ) -> Option<Self> {
         let [left, right] = line.sides.as_slice() else {
             return None;
         };
@@ -59,13 +91,13 @@ impl<'l> Terms<'l> {
             terms: vec![],
             sides: [left, right].map(|side| (side.span, Fraction::zero())),
             left_over,
-            letters: RefCell::default(),
+            letters: letters.clone(),
         };
         let mut all = Fraction::zero();
         for (at, side) in [left, right].into_iter().enumerate() {
             for (node, negative) in terms(side) {
                 let negative = negative != (at == 1);
-                let (value, factors) = match factors(judge, node) {
+                let (value, factors) = match factors(judge, node, letters) {
                     Some(found) => found,
                     None => (judge.term(node)?, vec![]),
                 };
@@ -127,7 +159,7 @@ impl<'l> Terms<'l> {
             let new = match self.changed(judge, node, place, change)? {
                 // With a dot over what never changes a term is gone, and no dot was lost.
                 Tried::Number(new) if new.is_zero() && *change == Change::Dotted => {
-                    return Some(false);
+                    return (node.span == place).then_some(false);
                 }
                 Tried::Number(new) => new,
                 // The line would say what a letter is, or set a number beside a vector.
@@ -135,8 +167,7 @@ impl<'l> Terms<'l> {
                 Tried::NoNumber if self.has_others(term) => return Some(false),
                 Tried::NoNumber | Tried::Open => return None,
             };
-            let left = term.adds.clone() * new - term.wanted.clone() * value.clone();
-            return Some(judge.normal(&left)?.is_zero());
+            return are_same(judge, [&term.adds, &new], [&term.wanted, value]);
         }
         let mut node = term.node.clone();
         put(&mut node, place, change)?;
@@ -153,21 +184,20 @@ impl<'l> Terms<'l> {
         change: &Change,
     ) -> Option<Tried> {
         let lone = match (change, &node.kind) {
-            (Change::Symbol(symbol), Kind::Symbol(_)) => Some(symbol),
+            (Change::Symbol(symbol), Kind::Symbol(_)) => Some((symbol, PLAIN)),
+            (Change::Dotted, Kind::Symbol(own)) => Some((own, DOTTED)),
+            (Change::Squared, Kind::Symbol(own)) => Some((own, SQUARED)),
             _ => None,
         };
-        let known = lone.and_then(|symbol| self.letters.borrow().get(symbol).cloned());
-        if known.is_some() {
-            return known;
+        let mut find = || {
+            let mut changed = node.clone();
+            put(&mut changed, place, change)?;
+            Some(judge.tried(&changed))
+        };
+        match lone {
+            Some((symbol, form)) => self.letters.value(symbol, form, find),
+            None => find(),
         }
-        let mut changed = node.clone();
-        put(&mut changed, place, change)?;
-        let tried = judge.tried(&changed);
-        if let Some(symbol) = lone {
-            let mut letters = self.letters.borrow_mut();
-            letters.insert(symbol.clone(), tried.clone());
-        }
-        Some(tried)
     }
 
     /// Whether a number stands beside a term, on its side or on the other one.
@@ -194,7 +224,11 @@ fn terms(side: &Node) -> Vec<(&Node, bool)> {
 }
 
 /// What a term is worth, and the factors whose product it is; `None` where they are not all numbers.
-fn factors<'l>(judge: &mut Judge<'_>, term: &'l Node) -> Option<(Fraction, Vec<Factored<'l>>)> {
+fn factors<'l>(
+    judge: &mut Judge<'_>,
+    term: &'l Node,
+    letters: &Letters,
+) -> Option<(Fraction, Vec<Factored<'l>>)> {
     // Letters side by side may mean something as a whole, and another one beside them something else.
     if judge.reading.letters.has_phrases() {
         return None;
@@ -203,11 +237,54 @@ fn factors<'l>(judge: &mut Judge<'_>, term: &'l Node) -> Option<(Fraction, Vec<F
     collect(term, &mut nodes, &mut negative);
     let (mut factors, mut product) = (vec![], Fraction::one());
     for node in nodes {
-        let own = judge.term(node)?;
+        let known = letter(node).map(|(symbol, form)| {
+            let find = || Some(judge.tried(node));
+            letters.value(symbol, form, find)
+        });
+        let own = match known {
+            Some(Some(Tried::Number(own))) => own,
+            Some(_) => return None,
+            None => judge.term(node)?,
+        };
         product *= own.clone();
         factors.push((node, own));
     }
     Some((judge.normal(&signed(product, negative))?, factors))
+}
+
+/// The letter that a node is, and whether with a dot.
+fn letter(node: &Node) -> Option<(&Symbol, usize)> {
+    match &node.kind {
+        Kind::Symbol(symbol) => Some((symbol, PLAIN)),
+        Kind::TimeDerivative {
+            operand,
+            order: 1,
+            style: DerivativeStyle::Dots,
+            frame: None,
+        } => match &operand.kind {
+            Kind::Symbol(symbol) if is_plain(symbol) => Some((symbol, DOTTED)),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// Whether the products of two pairs are the same.
+fn are_same(judge: &mut Judge<'_>, one: [&Fraction; 2], other: [&Fraction; 2]) -> Option<bool> {
+    let mut all = one.into_iter().chain(other);
+    if all.all(|value| value.denominator().is_one()) && judge.knows_no_square() {
+        let [one, other] = [one, other].map(|pair| pair.map(Fraction::numerator));
+        let count = |[a, b]: [&Polynomial; 2]| match (a.len(), b.len()) {
+            (1, terms) | (terms, 1) => Some(terms),
+            _ => None,
+        };
+        let counts = count(one).zip(count(other));
+        let product = |[a, b]: [&Polynomial; 2]| Polynomial::sum_of_products(&[(a, b)]);
+        let may_be = counts.is_none_or(|(one, other)| one == other);
+        return Some(may_be && product(one) == product(other));
+    }
+    let [one, other] = [one, other].map(|[a, b]| a.clone() * b.clone());
+    Some(judge.normal(&(one - other))?.is_zero())
 }
 
 /// What is multiplied in a node, and whether a sign stands before it.
@@ -262,8 +339,10 @@ fn put(node: &mut Node, place: Span, change: &Change) -> Option<()> {
             let child = node.children_mut().into_iter().find(holds)?;
             put(child, place, change)
         }
-        // A dot is over whatever letter stands under it.
-        Kind::TimeDerivative { operand, .. } if matches!(change, Change::Symbol(_)) => {
+        // A dot is over whatever letter stands under it, and over another dot.
+        Kind::TimeDerivative { operand, .. }
+            if matches!(change, Change::Symbol(_) | Change::Dotted) =>
+        {
             put(operand, place, change)
         }
         _ => None,

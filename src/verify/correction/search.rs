@@ -4,13 +4,15 @@ use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Format, Formula, Item, Row};
 use crate::source::Span;
 use crate::verify::Diagnosis;
-use crate::verify::correction::by_terms::Terms;
+use crate::verify::correction::by_terms::{Letters, Terms};
 use crate::verify::correction::edit::{Edit, edited};
 use crate::verify::correction::slips::{Change, OTHER_LETTER, Slip, other_letters, slips};
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::recalled::Correction;
 use crate::verify::standing::verdicts::Answer;
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Range;
+use std::rc::Rc;
 
 /// A line longer than this is not put right.
 const LONGEST: u32 = 2_000;
@@ -25,6 +27,9 @@ const MOST_LINES: usize = 200;
 const MOST_WORK: usize = 500_000;
 const LEAST_COST: usize = 10;
 
+/// Signs and dots are more likely than this.
+const LIKELIEST: u32 = 12;
+
 /// What would put the refuted lines of a document right, by the place of the line.
 pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
     let document = judge.document;
@@ -34,8 +39,12 @@ pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
     let each = lines(document).filter(|line| refuted.contains_key(&line.span));
     let each: Vec<&Line> = each.filter(short).take(MOST_LINES).collect();
     let (mut found, mut left) = (HashMap::new(), MOST_WORK);
+    let mut letters = Rc::default();
     for line in each {
-        let correction = recalled_or_found(judge, line, &refuted[&line.span], &mut left);
+        if !judge.is_alike_everywhere() {
+            letters = Rc::default();
+        }
+        let correction = recalled_or_found(judge, line, &refuted[&line.span], &letters, &mut left);
         found.extend(correction.map(|diagnosis| (line.span, diagnosis)));
     }
     found
@@ -46,6 +55,7 @@ fn recalled_or_found(
     judge: &mut Judge<'_>,
     line: &Line,
     judged: &Judged,
+    letters: &Rc<Letters>,
     left: &mut usize,
 ) -> Option<Diagnosis> {
     let start = line.span.start;
@@ -56,11 +66,11 @@ fn recalled_or_found(
         let place = known.diagnosis.place;
         return Some(Diagnosis {
             place: place.map(|place| place.shifted(start as usize)),
-            ..known.diagnosis
+            ..known.diagnosis.clone()
         });
     }
     let before = *left;
-    let (diagnosis, cost) = correction(judge, line, judged, left)?;
+    let (diagnosis, cost) = correction(judge, line, judged, letters, left)?;
     // Which other letters are tried hangs on the document.
     if let Some(of) = asked.filter(|_| cost < OTHER_LETTER) {
         let own = |at: u32| (at - start) as usize;
@@ -87,20 +97,24 @@ fn correction(
     judge: &mut Judge<'_>,
     line: &Line,
     judged: &Judged,
+    known: &Rc<Letters>,
     left: &mut usize,
 ) -> Option<(Diagnosis, u32)> {
     let cost = LEAST_COST + terms(judged);
     let document = judge.document;
-    let slips = slips(&document.source, line).into_iter();
-    let (likelier, rest): (Vec<Slip>, Vec<Slip>) =
-        slips.partition(|slip| slip.edit.cost < OTHER_LETTER);
+    // Most lines are put right by one of the likeliest: the others are made where these are not.
+    let of = |costs: Range<u32>| {
+        let slips = move || slips(&document.source, line, costs);
+        std::iter::once_with(slips).flatten()
+    };
     let others = || other_letters(&document.source, line, &letters(document, line));
     let others = std::iter::once_with(others).flatten();
-    let mut slips = likelier.into_iter().chain(others).chain(rest);
+    let likelier = of(0..LIKELIEST).chain(of(LIKELIEST..OTHER_LETTER));
+    let mut slips = likelier.chain(others).chain(of(OTHER_LETTER..u32::MAX));
     let before = judge.stand_at(&judged.at);
     let mut tried = BTreeSet::new();
     let terms = match is_told_by_tree(document, line) {
-        true => Terms::of(judge, line, judged),
+        true => Terms::of(judge, line, judged, known),
         false => None,
     };
     let found = slips.find_map(|Slip { edit, change }| {

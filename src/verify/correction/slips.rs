@@ -4,12 +4,16 @@ use crate::notation::ast::{Factor, Function, Kind, Line, Node, Operator, Symbol,
 use crate::source::{Source, Span};
 use crate::verify::correction::edit::{Edit, dotted, other_axis, replaced_index, undotted};
 use crate::verify::language::messages;
+use std::ops::Range;
 
 /// Letters that are tried in the place of one.
 const MOST_LETTERS: usize = 40;
 
 /// How unlikely it is that another letter should stand somewhere.
 pub(super) const OTHER_LETTER: u32 = 26;
+
+/// How unlikely it is that another axis should stand in an index.
+const OTHER_INDEX: u32 = 12;
 
 /// A change that undoes a slip.
 pub(super) struct Slip {
@@ -35,12 +39,14 @@ pub(super) enum Change {
     Nothing([Span; 2]),
 }
 
-/// All single changes to a line but for other letters, the likeliest first.
-pub(super) fn slips(source: &Source, line: &Line) -> Vec<Slip> {
+/// The single changes to a line that are so unlikely, but for other letters, the likeliest first.
+pub(super) fn slips(source: &Source, line: &Line, costs: Range<u32>) -> Vec<Slip> {
     let written = source.slice(line.span);
     let mut slips = Slips {
         source,
         unicode: !written.is_ascii() && !written.contains('\\'),
+        costs,
+        is_wanted: false,
         found: vec![],
     };
     for (place, side) in line.sides.iter().enumerate() {
@@ -93,6 +99,10 @@ struct Slips<'a> {
     source: &'a Source,
     /// Whether the line is written in Unicode and not in LaTeX.
     unicode: bool,
+    /// How unlikely the slips are that are looked for.
+    costs: Range<u32>,
+    /// Whether the last one is among them.
+    is_wanted: bool,
     found: Vec<Slip>,
 }
 
@@ -100,27 +110,27 @@ impl<'a> Slips<'a> {
     fn push(
         &mut self,
         span: Span,
-        text: impl Into<String>,
+        text: impl FnOnce() -> String,
         kind: &'static str,
         cost: u32,
-        message: impl Into<String>,
+        message: &str,
     ) {
-        let (text, message) = (text.into(), message.into());
-        self.found.push(Slip {
-            edit: Edit {
+        self.is_wanted = self.costs.contains(&cost);
+        if self.is_wanted {
+            let edit = Edit {
                 span,
-                text,
+                text: text(),
                 kind,
-                message,
+                message: message.to_owned(),
                 cost,
-            },
-            change: None,
-        });
+            };
+            self.found.push(Slip { edit, change: None });
+        }
     }
 
     /// The slip that was found last does this to the tree.
     fn by(&mut self, change: Change) {
-        if let Some(slip) = self.found.last_mut() {
+        if let Some(slip) = self.found.last_mut().filter(|_| self.is_wanted) {
             slip.change = Some(change);
         }
     }
@@ -156,7 +166,7 @@ impl<'a> Slips<'a> {
         };
         self.push(
             node.span,
-            format!("{half}{whole}"),
+            || format!("{half}{whole}"),
             "factor",
             14,
             messages::HALF_MISSING,
@@ -164,14 +174,15 @@ impl<'a> Slips<'a> {
         self.by(Change::Times(node.span, [1, 2]));
         self.push(
             node.span,
-            format!("2 {whole}"),
+            || format!("2 {whole}"),
             "factor",
             17,
             messages::TWO_MISSING,
         );
         self.twice(node);
         if last {
-            self.push(node.span, format!("-{whole}"), "sign", 13, messages::SIGN);
+            let negative = || format!("-{whole}");
+            self.push(node.span, negative, "sign", 13, messages::SIGN);
             self.by(Change::Times(node.span, [-1, 1]));
         }
     }
@@ -181,7 +192,7 @@ impl<'a> Slips<'a> {
             Kind::Sum(terms) => self.sum(terms),
             Kind::Negate(inside) => {
                 let text = self.slice(inside);
-                self.push(node.span, text, "sign", 10, messages::SIGN);
+                self.push(node.span, || text.into(), "sign", 10, messages::SIGN);
                 self.by(Change::Times(node.span, [-1, 1]));
             }
             Kind::Product(factors) => self.product(factors),
@@ -192,7 +203,8 @@ impl<'a> Slips<'a> {
             Kind::Power(base, exponent) => self.power(node, base, exponent),
             Kind::Transpose(inside) => {
                 let text = self.slice(inside);
-                self.push(node.span, text, "transpose", 16, messages::TRANSPOSED);
+                let message = messages::TRANSPOSED;
+                self.push(node.span, || text.into(), "transpose", 16, message);
             }
             Kind::Function(function, _) => self.function(node, *function),
             Kind::Number(_) => self.number(node),
@@ -205,14 +217,12 @@ impl<'a> Slips<'a> {
     fn sum(&mut self, terms: &[Term]) {
         for (place, term) in terms.iter().enumerate() {
             let written = term.sign.start < term.sign.end;
-            match (written, term.negative) {
-                (false, _) => self.push(term.node.span.before(), "-", "sign", 11, messages::SIGN),
-                (true, false) => self.push(term.sign, "-", "sign", 10, messages::SIGN),
-                (true, true) => {
-                    let plus = if place == 0 { "" } else { "+" };
-                    self.push(term.sign, plus, "sign", 10, messages::SIGN);
-                }
-            }
+            let (sign, other, cost) = match (written, term.negative) {
+                (false, _) => (term.node.span.before(), "-", 11),
+                (true, false) => (term.sign, "-", 10),
+                (true, true) => (term.sign, if place == 0 { "" } else { "+" }, 10),
+            };
+            self.push(sign, || other.into(), "sign", cost, messages::SIGN);
             self.by(Change::Times(term.node.span, [-1, 1]));
             let half = if self.unicode {
                 "½ "
@@ -220,14 +230,14 @@ impl<'a> Slips<'a> {
                 "\\tfrac{1}{2} "
             };
             let before = term.node.span.before();
-            self.push(before, half, "factor", 19, messages::HALF_MISSING);
+            self.push(before, || half.into(), "factor", 19, messages::HALF_MISSING);
             self.by(Change::Times(term.node.span, [1, 2]));
-            self.push(before, "2 ", "factor", 19, messages::TWO_MISSING);
+            self.push(before, || "2 ".into(), "factor", 19, messages::TWO_MISSING);
             self.twice(&term.node);
             if written {
                 let whole = term.sign.to(term.node.span);
                 let message = messages::EXTRA_TERM;
-                self.push(whole, "", "extra-term", 30, message);
+                self.push(whole, String::new, "extra-term", 30, message);
                 self.by(Change::Times(term.node.span, [0, 1]));
             }
         }
@@ -244,7 +254,7 @@ impl<'a> Slips<'a> {
             };
             let sign = self.source.slice(pair[1].sign).trim();
             let [a, b] = [first, second].map(|node| self.slice(node).trim());
-            let text = format!("{b} {sign} {a}");
+            let text = || format!("{b} {sign} {a}");
             self.push(first.span.to(second.span), text, kind, cost, message);
             if pair[1].operator == Operator::Juxtaposed {
                 self.by(Change::Nothing([first.span, second.span]));
@@ -259,18 +269,18 @@ impl<'a> Slips<'a> {
         }
         self.push(
             node.span,
-            dotted(text),
+            || dotted(text),
             "missing-dot",
             10,
             messages::DOT_MISSING,
         );
         self.by(Change::Dotted);
         let square = if self.unicode { "²" } else { "^2" };
-        let squared = format!("{text}{square}");
+        let squared = || format!("{text}{square}");
         self.push(node.span, squared, "factor", 22, messages::SQUARE_MISSING);
         self.by(Change::Squared);
         let transpose = if self.unicode { "ᵀ" } else { "^T" };
-        let transposed = format!("{text}{transpose}");
+        let transposed = || format!("{text}{transpose}");
         self.push(
             node.span,
             transposed,
@@ -279,8 +289,10 @@ impl<'a> Slips<'a> {
             messages::TRANSPOSE_MISSING,
         );
         self.by(Change::Nothing([node.span; 2]));
-        for index in &symbol.subscripts {
-            self.index(node, text, symbol, index);
+        if self.costs.contains(&OTHER_INDEX) {
+            for index in &symbol.subscripts {
+                self.index(node, text, symbol, index);
+            }
         }
     }
 
@@ -302,7 +314,7 @@ impl<'a> Slips<'a> {
                             text,
                             kind: "index",
                             message: messages::should_be(index, &new),
-                            cost: 12,
+                            cost: OTHER_INDEX,
                         },
                         change: with_index(symbol, new).map(Change::Symbol),
                     });
@@ -316,7 +328,7 @@ impl<'a> Slips<'a> {
         if order == 1
             && let Some(text) = undotted(text)
         {
-            self.push(node.span, text, "extra-dot", 13, messages::EXTRA_DOT);
+            self.push(node.span, || text, "extra-dot", 13, messages::EXTRA_DOT);
             self.by(Change::Bared);
         }
         for (from, to, kind, message) in [
@@ -324,7 +336,7 @@ impl<'a> Slips<'a> {
             ("\\dot", "\\ddot", "missing-dot", messages::DOT_MISSING),
         ] {
             if text.starts_with(from) {
-                let text = text.replacen(from, to, 1);
+                let text = || text.replacen(from, to, 1);
                 self.push(node.span, text, kind, 13, message);
             }
         }
@@ -334,10 +346,19 @@ impl<'a> Slips<'a> {
         let text = self.slice(base);
         match self.slice(exponent).trim_matches(['{', '}', ' ']) {
             "2" => {
-                self.push(node.span, text, "factor", 20, messages::EXTRA_SQUARE);
+                self.push(
+                    node.span,
+                    || text.into(),
+                    "factor",
+                    20,
+                    messages::EXTRA_SQUARE,
+                );
                 self.by(Change::Bared);
             }
-            "-1" => self.push(node.span, text, "inverse", 16, messages::EXTRA_INVERSE),
+            "-1" => {
+                let message = messages::EXTRA_INVERSE;
+                self.push(node.span, || text.into(), "inverse", 16, message);
+            }
             _ => {}
         }
     }
@@ -351,13 +372,8 @@ impl<'a> Slips<'a> {
         let text = self.slice(node);
         if text.contains(from) {
             let message = messages::should_be(from, to);
-            self.push(
-                node.span,
-                text.replacen(from, to, 1),
-                "function",
-                15,
-                message,
-            );
+            let text = || text.replacen(from, to, 1);
+            self.push(node.span, text, "function", 15, &message);
         }
     }
 
@@ -366,12 +382,12 @@ impl<'a> Slips<'a> {
             return;
         };
         if number > 1 && number.is_multiple_of(2) {
-            let half = (number / 2).to_string();
+            let half = || (number / 2).to_string();
             self.push(node.span, half, "factor", 18, messages::EXTRA_TWO);
             self.by(Change::Times(node.span, [1, 2]));
         }
         if let Some(double) = number.checked_mul(2).filter(|_| number > 0) {
-            let double = double.to_string();
+            let double = || double.to_string();
             self.push(node.span, double, "factor", 18, messages::EXTRA_HALF);
             self.by(Change::Times(node.span, [2, 1]));
         }
@@ -380,7 +396,7 @@ impl<'a> Slips<'a> {
     fn quotient(&mut self, node: &Node, top: &Node, bottom: &Node) {
         let [above, below] = [top, bottom].map(|node| self.slice(node).trim());
         if above == "1" && below == "2" {
-            self.push(node.span, "", "factor", 15, messages::EXTRA_HALF);
+            self.push(node.span, String::new, "factor", 15, messages::EXTRA_HALF);
             self.by(Change::Times(node.span, [2, 1]));
         }
     }

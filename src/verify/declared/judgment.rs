@@ -25,8 +25,10 @@ use crate::verify::term::known::Known;
 use crate::verify::term::letters::{At, Meaning, Reach};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::Value;
+use crate::verify::term::written::Written;
 use crate::verify::verdict::{Counterexample, Diagnosis};
 use crate::verify::{Finding, Report, Role};
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
@@ -171,6 +173,8 @@ const MOST_READINGS: usize = 32;
 #[derive(Clone, Debug)]
 pub(crate) struct Shared {
     pub(crate) declared: Declared,
+    /// Whether the sentences speak of one system in all of a document.
+    is_of_one_system: bool,
     /// A document without a line, in whose notation the sentences are written.
     bare: Document,
     readings: RefCell<Vec<Read>>,
@@ -183,10 +187,19 @@ struct Read {
     own: Arc<OwnLetters>,
 }
 
+/// The symbols that a document writes, which are known of the one that was handed in.
+fn symbols_of(document: &Cow<'_, Document>, written: &Written) -> Written {
+    match document {
+        Cow::Borrowed(_) => written.clone(),
+        Cow::Owned(document) => written_symbols(document),
+    }
+}
+
 impl Shared {
     /// Of these sentences, written in the notation of a document without a line.
     pub(crate) fn new(declared: Declared, bare: Document) -> Self {
         Self {
+            is_of_one_system: is_of_one_system(&declared.declarations),
             declared,
             bare,
             readings: RefCell::default(),
@@ -195,21 +208,33 @@ impl Shared {
 
     /// Judges every line of a document, and looks for what would put false ones right. The report leaves out what the
     /// sentences say, which is the same for all documents.
-    pub(crate) fn check(&self, document: &Document) -> Report {
-        let document = &*with_rates(document, &self.declared.declarations);
-        let mut judgments = self.judgments(document, &[]);
+    pub(crate) fn check(&self, document: &Document, written: &Written) -> Report {
+        let document = with_rates(document, &self.declared.declarations);
+        let written = symbols_of(&document, written);
+        let mut judgments = self.judgments(&document, &written, &[]);
         judgments.iter_mut().for_each(Judgment::correct);
-        report(document, &self.declared, &judgments, Residuals::LeftOut)
+        report(&document, &self.declared, &judgments, Residuals::LeftOut)
     }
 
     /// The same without looking for what would put false lines right, and with some lines taken as claimed.
-    pub(crate) fn judge(&self, document: &Document, claimed: &[&Finding]) -> Report {
-        let document = &*with_rates(document, &self.declared.declarations);
-        let judgments = self.judgments(document, claimed);
-        report(document, &self.declared, &judgments, Residuals::LeftOut)
+    pub(crate) fn judge(
+        &self,
+        document: &Document,
+        written: &Written,
+        claimed: &[&Finding],
+    ) -> Report {
+        let document = with_rates(document, &self.declared.declarations);
+        let written = symbols_of(&document, written);
+        let judgments = self.judgments(&document, &written, claimed);
+        report(&document, &self.declared, &judgments, Residuals::LeftOut)
     }
 
-    fn judgments<'d>(&self, document: &'d Document, claimed: &[&Finding]) -> Vec<Judgment<'d>> {
+    fn judgments<'d>(
+        &self,
+        document: &'d Document,
+        written: &Written,
+        claimed: &[&Finding],
+    ) -> Vec<Judgment<'d>> {
         let claims = claimed.iter().map(|finding| {
             let reach = Reach::Lines {
                 cell: finding.cell,
@@ -218,26 +243,25 @@ impl Shared {
             };
             LineRole::new(reach, Some(Role::Claim))
         });
-        if !is_of_one_system(&self.declared.declarations) {
+        if !self.is_of_one_system {
             return judgments(document, &self.declared.declarations, claims);
         }
-        let (mut prepared, own) = self.reading(document);
+        let (mut prepared, own) = self.reading(written);
         prepared.reading.roles.extend(claims);
         let mut judge = Judge::over(document, Part::default(), prepared);
         judge.run();
         vec![Judgment::of(judge, own, 0)]
     }
 
-    /// The reading of a document.
-    fn reading(&self, document: &Document) -> (Prepared, Arc<OwnLetters>) {
-        let written = written_symbols(document);
+    /// The reading of a document that writes these symbols.
+    fn reading(&self, written: &Written) -> (Prepared, Arc<OwnLetters>) {
         let mut readings = self.readings.borrow_mut();
         let known = readings.iter().find_map(|read| {
-            let prepared = read.prepared.for_writing(&written)?;
+            let prepared = read.prepared.for_writing(written)?;
             Some((prepared, read.own.clone()))
         });
         known.unwrap_or_else(|| {
-            let mut prepared = Prepared::new(&self.declared.declarations, written, 0);
+            let mut prepared = Prepared::new(&self.declared.declarations, written.clone(), 0);
             prepared.work_out();
             let own = OwnLetters::of(&self.bare, &mut prepared.reading, &mut prepared.known);
             let own = Arc::new(own);

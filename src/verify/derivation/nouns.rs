@@ -11,7 +11,8 @@ use crate::verify::reading::Reading;
 use crate::verify::reading::builder::build;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
+use std::sync::Arc;
 
 /// A quantity that a derivation may speak of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -57,7 +58,7 @@ impl Nouns {
         let mut all = declarations.to_vec();
         let said = nouns.iter().enumerate();
         all.extend(said.map(|(number, (_, noun))| telling(&[&stand_in(number)], noun.clone())));
-        let mut reading = build(&all, BTreeSet::new(), 0);
+        let mut reading = build(&all, Arc::default(), 0);
         let mut known = HashMap::new();
         for (number, (key, noun)) in nouns.into_iter().enumerate() {
             let letter = stand_in(number);

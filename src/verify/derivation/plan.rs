@@ -7,7 +7,7 @@ use crate::verify::reading::builder::build;
 use crate::verify::reading::names::{MASS_CENTRE, name_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
-use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// What there is to tell of a system.
 pub(super) struct Plan {
@@ -53,7 +53,7 @@ const LABELS: [[&str; 3]; 3] = [["x", "y", "z"], ["1", "2", "3"], ["X", "Y", "Z"
 impl Plan {
     /// What declarations give to tell.
     pub(super) fn of(declarations: &[Declaration]) -> Self {
-        let reading = build(declarations, BTreeSet::new(), 0);
+        let reading = build(declarations, Arc::default(), 0);
         let namer = Namer { declarations };
         let system = &reading.system;
         let axes = reading.letters.component_frame;

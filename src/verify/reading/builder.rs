@@ -21,7 +21,7 @@ use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::Value;
-use crate::verify::term::written::WrittenSymbols;
+use crate::verify::term::written::{Written, WrittenSymbols};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A reading under way.
@@ -51,11 +51,7 @@ const MOST_WRITINGS: usize = 8;
 pub(super) const MOST_TERMS: usize = 100_000;
 
 /// Reads declarations about a document that writes these symbols; the variables of the model are numbered from `first` on.
-pub(crate) fn build(
-    declarations: &[Declaration],
-    written: BTreeSet<String>,
-    first: usize,
-) -> Reading {
+pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize) -> Reading {
     let written = WrittenSymbols::new(written);
     // What holds under a condition is never taken as always true, and what is denied is no fact.
     let (conditional, always): (Vec<_>, Vec<_>) = heard(with_elements(declarations, &written))

@@ -14,17 +14,23 @@ use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::KeptApart;
 use crate::verify::reading::loads_read::tells_loads;
-use crate::verify::standing::heard::{Heard, Recalled};
+use crate::verify::standing::heard::{Heard, Recalled, Worded};
 use crate::verify::standing::judge::Judge;
+use crate::verify::standing::memory::Wording;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::written::{names_an_instant, without_number, written_symbols};
 use crate::verify::term::letters::At;
+use crate::verify::term::written::Written;
 use foldhash::HashMap;
 use num_traits::Zero;
+use std::sync::Arc;
 
 /// Values of more terms are not looked at for what laws say.
 const MOST_OF_LAW: usize = 500;
+
+/// The two sides of a component.
+type Pair = (Fraction, Fraction);
 
 /// What one line says.
 #[derive(Clone, Debug)]
@@ -32,11 +38,13 @@ pub(crate) struct Said {
     /// The bytes of the line.
     pub(crate) span: Span,
     /// Its left and right sides, component by component; `None` where they are not worked out.
-    pub(crate) sides: Option<Vec<(Fraction, Fraction)>>,
+    pub(crate) sides: Option<Arc<[Pair]>>,
     /// The first side and the last one of a chain, component by component; none where there are but two.
-    pub(crate) ends: Vec<(Fraction, Fraction)>,
+    pub(crate) ends: Vec<Pair>,
     /// Whether it says what a letter is of which nothing was told.
     pub(crate) defines: bool,
+    /// How its sides are looked for, if that is known.
+    pub(super) of: Option<Wording>,
 }
 
 /// What is declared and does not count here: what is looked for would be known by it.
@@ -142,16 +150,20 @@ impl<'a> Apart<'a> {
 
     /// What each line of a document says, with products of inertia as entries or as integrals. A line of running text
     /// that only names an instant says nothing.
-    pub(crate) fn lines(&mut self, document: &'a Document, entries: bool) -> Vec<Said> {
+    pub(crate) fn lines(
+        &mut self,
+        document: &'a Document,
+        written: &Written,
+        entries: bool,
+    ) -> Vec<Said> {
         let customs = &mut self.judge.reading.letters.customs;
         let same_customs = customs.integrals != entries;
         customs.integrals = !entries;
         self.judge.document = document;
-        self.judge.chain.begin_anew();
+        self.judge.chain.begin_anew(document);
         self.judge.words.headings = Headings::default();
         self.judge.at = At::default();
-        let written = written_symbols(document);
-        self.judge.reading.letters.written.replace(written);
+        self.judge.reading.letters.written.replace(written.clone());
         match same_customs {
             true => self.judge.known.forget_what_hangs_on_writing(),
             false => self.judge.known.forget_symbols(),
@@ -181,36 +193,34 @@ impl<'a> Apart<'a> {
     fn line(&mut self, line: &Line) -> Said {
         let place = self.judge.document.place_of_row(line.span.start);
         (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
-        let links = self
-            .judge
-            .chain
-            .links(&without_number(line), &self.judge.at);
-        let (mut sides, mut defines, mut first) = (Some(vec![]), false, 0);
-        for (number, link) in links.iter().enumerate() {
+        let plain = without_number(line);
+        let links = self.judge.chain.links(&plain, &self.judge.at);
+        let (mut each, mut defines): (Vec<Option<Worded>>, _) = (vec![], false);
+        for link in &links {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
             let worked_out = equal.then(|| self.sides_of(link));
-            match (worked_out, &mut sides) {
-                (Some(Ok(one)), Some(all)) => {
-                    if let Some((letter, left, _)) = &one.settles {
-                        self.judge.known.shapes.insert(letter.clone(), left.shape());
-                        // What has a shape by a line of this document has none in others.
-                        self.recalled = None;
-                        defines = true;
-                    }
-                    all.extend(one.sides);
-                    if number == 0 {
-                        first = all.len();
-                    }
-                }
-                _ => sides = None,
+            let one = worked_out.and_then(Result::ok);
+            let told = one.as_ref().filter(|_| each.iter().all(Option::is_some));
+            if let Some((letter, left, _)) = told.and_then(|one| one.sides.settles.as_ref()) {
+                self.judge.known.shapes.insert(letter.clone(), left.shape());
+                // What has a shape by a line of this document has none in others.
+                self.recalled = None;
+                defines = true;
             }
+            each.push(one);
         }
-        let sides = sides.filter(|sides| !sides.is_empty());
+        let each: Option<Vec<_>> = each.into_iter().collect();
+        let of = match each.as_deref() {
+            Some([only]) => only.of,
+            _ => None,
+        };
+        let (sides, ends) = each.map_or((None, vec![]), |each| all_of(&each));
         Said {
             span: line.span,
-            ends: sides.as_deref().map_or(vec![], |all| ends(all, first)),
             sides,
+            ends,
             defines,
+            of,
         }
     }
 
@@ -300,8 +310,19 @@ impl<'a> Apart<'a> {
     }
 }
 
+/// The sides of all links of a line, if there are any, and the ends of the chain.
+fn all_of(links: &[Worded]) -> (Option<Arc<[Pair]>>, Vec<Pair>) {
+    let mut each = links.iter().map(|one| &one.sides.sides);
+    let sides: Arc<[Pair]> = match links {
+        [only] => only.sides.sides.clone(),
+        _ => each.clone().flat_map(|sides| &**sides).cloned().collect(),
+    };
+    let ends = ends(&sides, each.next().map_or(0, |first| first.len()));
+    (Some(sides).filter(|sides| !sides.is_empty()), ends)
+}
+
 /// The first side of a chain and its last one, of which the first link has so many components.
-fn ends(sides: &[(Fraction, Fraction)], components: usize) -> Vec<(Fraction, Fraction)> {
+fn ends(sides: &[Pair], components: usize) -> Vec<Pair> {
     let Some(last) = sides.len().checked_sub(components).filter(|&at| at > 0) else {
         return vec![];
     };
@@ -311,7 +332,7 @@ fn ends(sides: &[(Fraction, Fraction)], components: usize) -> Vec<(Fraction, Fra
 }
 
 fn equations(said: &Said) -> Vec<(Fraction, Source)> {
-    let sides = said.sides.iter().flatten();
+    let sides = said.sides.iter().flat_map(|sides| &**sides);
     let differences = sides.map(|(left, right)| left.clone() - right.clone());
     let source = || Source::Line(None, 0);
     differences.map(|equation| (equation, source())).collect()

@@ -23,7 +23,7 @@ const MOST_RATES: usize = 3;
 
 impl Judge<'_> {
     /// What a link is worth that speaks of instants; none if it does not.
-    pub(super) fn hold_at_instants(&mut self, link: &Link) -> Option<Held> {
+    pub(super) fn hold_at_instants(&mut self, link: &Link<'_>) -> Option<Held> {
         if self.reading.instants.blow {
             return Some(self.hold_at_blow(link));
         }
@@ -31,7 +31,8 @@ impl Judge<'_> {
             return None;
         }
         let mut instants = BTreeSet::new();
-        let known = [&link.left, &link.right]
+        let known = link
+            .sides()
             .into_iter()
             .all(|side| self.note_instants(side, false, &mut instants));
         let last = *instants.last()?;
@@ -53,7 +54,7 @@ impl Judge<'_> {
 
     /// What a link is worth where sentences tell of both sides of a blow. What moves and has no label is taken at neither of
     /// them: such a link may be meant of one, and is not denied.
-    fn hold_at_blow(&mut self, link: &Link) -> Held {
+    fn hold_at_blow(&mut self, link: &Link<'_>) -> Held {
         let sides = self.sides(link, &BTreeSet::new());
         let held = self.hold_sides(link, sides);
         let all: Vec<Fraction> = held
@@ -93,7 +94,7 @@ impl Judge<'_> {
     /// The left side less the right one at a time t, and the letters of which nothing is told.
     fn difference_at(
         &mut self,
-        link: &Link,
+        link: &Link<'_>,
         present: usize,
     ) -> Result<(Value, Vec<String>), (Trouble, Vec<String>)> {
         let mut lowering = self.lowering();
@@ -106,7 +107,7 @@ impl Judge<'_> {
         Ok((pair.left.with_entries(entries.collect()), unknown))
     }
 
-    fn hold_difference(&mut self, link: &Link, difference: Value, unknown: &[String]) -> Held {
+    fn hold_difference(&mut self, link: &Link<'_>, difference: Value, unknown: &[String]) -> Held {
         let (Some(first), Some(rate)) = (self.at_first(&difference), self.rate_of(&difference))
         else {
             return Held::open(GROWN);

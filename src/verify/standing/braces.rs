@@ -8,6 +8,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::verdicts::Standing;
+use std::borrow::Cow;
 
 /// The commands, and the script that stands behind their argument.
 const BRACES: [(&str, char); 2] = [("\\underbrace", '_'), ("\\overbrace", '^')];
@@ -37,9 +38,9 @@ impl Judge<'_> {
                 continue;
             }
             let link = Link {
-                left: left.clone(),
+                left: Cow::Borrowed(left),
                 relation: Relation::Equal,
-                right: right.clone(),
+                right: Cow::Borrowed(right),
             };
             let before = self.written.trial.replace(Text::new("", text.clone()));
             let held = self.hold(&link);

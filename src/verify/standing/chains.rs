@@ -1,31 +1,50 @@
 //! Which sides a line sets equal: each against the head of its chain.
 
 use crate::notation::ast::{Kind, Line, Node, Relation};
+use crate::notation::document::{Document, Item, Row};
 use crate::source::Span;
 use crate::verify::language::statement::{Declaration, DeclaredRole, Statement};
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{At, Letters, Reach, loosely, spelled};
+use std::borrow::Cow;
 
 /// Two sides and what is said of them.
 #[derive(Clone, Debug)]
-pub(crate) struct Link {
-    pub(crate) left: Node,
+pub(crate) struct Link<'l> {
+    pub(crate) left: Cow<'l, Node>,
     pub(crate) relation: Relation,
-    pub(crate) right: Node,
+    pub(crate) right: Cow<'l, Node>,
+}
+
+impl Link<'_> {
+    pub(crate) fn sides(&self) -> [&Node; 2] {
+        [&self.left, &self.right]
+    }
+
+    /// The same without the line that it is of.
+    pub(crate) fn into_owned(self) -> Link<'static> {
+        Link {
+            left: Cow::Owned(self.left.into_owned()),
+            relation: self.relation,
+            right: Cow::Owned(self.right.into_owned()),
+        }
+    }
 }
 
 /// Where a chain of rows stands.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Chain {
-    /// Its first side.
+    /// Its first side, as far as rows go on from it.
     head: Option<Node>,
+    /// Whether rows of the document go on from others.
+    goes_on: bool,
     /// The first sides that sentences tell, and of which lines.
     told: Vec<(Reach, Node)>,
 }
 
 impl Chain {
     /// With the first sides that sentences tell: "line 5 starts from `$X$`".
-    pub(crate) fn told_by(declarations: &[Declaration]) -> Self {
+    pub(crate) fn told_by(declarations: &[Declaration], document: &Document) -> Self {
         let told = declarations.iter().filter_map(|d| match &d.statement {
             Statement::Role {
                 lines,
@@ -38,13 +57,15 @@ impl Chain {
         });
         Self {
             head: None,
+            goes_on: has_rows_that_go_on(document),
             told: told.collect(),
         }
     }
 
-    /// Before the first line.
-    pub(crate) fn begin_anew(&mut self) {
+    /// Before the first line of a document.
+    pub(crate) fn begin_anew(&mut self, document: &Document) {
         self.head = None;
+        self.goes_on = has_rows_that_go_on(document);
     }
 
     /// The first row of a display that has no relation: the rows below go on from it.
@@ -55,36 +76,52 @@ impl Chain {
     /// The links of a line; a row that begins with a relation goes on from the head of the chain before it.
     ///
     /// Equals are held against the head, so that one false member does not make the next one false or hide it.
-    pub(crate) fn links(&mut self, line: &Line, at: &At) -> Vec<Link> {
-        if !line.continues {
-            self.head = line.sides.first().cloned();
-        } else if let Some((_, side)) = self.told.iter().find(|(reach, _)| reach.covers(at, 0)) {
-            self.head = Some(side.clone());
-        }
-        let Some(head) = self.head.clone() else {
+    pub(crate) fn links<'l>(&mut self, line: &'l Line, at: &At) -> Vec<Link<'l>> {
+        let (first, rights) = match (line.continues, line.sides.split_first()) {
+            (false, Some((first, rights))) => (Some(Cow::Borrowed(first)), rights),
+            (false, None) => (None, &[][..]),
+            (true, _) => {
+                let mut told = self.told.iter();
+                let told = told.find(|(reach, _)| reach.covers(at, 0));
+                let told = told.map(|(_, side)| side.clone());
+                (told.or(self.head.take()).map(Cow::Owned), &line.sides[..])
+            }
+        };
+        self.keep(first.as_deref());
+        let Some(mut left) = first else {
             return vec![];
         };
-        let rights = if line.continues {
-            &line.sides[..]
-        } else {
-            line.sides.get(1..).unwrap_or(&[])
-        };
         let mut links = vec![];
-        let mut left = head;
         for ((relation, _), right) in line.relations.iter().zip(rights) {
             links.push(Link {
                 left: left.clone(),
                 relation: *relation,
-                right: right.clone(),
+                right: Cow::Borrowed(right),
             });
             // Behind a bound or an approximation the chain goes on from there.
             if !matches!(relation, Relation::Equal | Relation::Defined) {
-                left = right.clone();
-                self.head = Some(right.clone());
+                left = Cow::Borrowed(right);
+                self.keep(Some(right));
             }
         }
         links
     }
+
+    /// Keeps a head for rows that go on from it.
+    fn keep(&mut self, head: Option<&Node>) {
+        self.head = head.filter(|_| self.goes_on).cloned();
+    }
+}
+
+fn has_rows_that_go_on(document: &Document) -> bool {
+    let mut formulas = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(&formula.rows),
+        _ => None,
+    });
+    formulas.any(|rows| {
+        let mut rows = rows.iter();
+        rows.any(|row| matches!(row, Row::Line(line) if line.continues))
+    })
 }
 
 /// Whether a letter of which no sentence tells stands alone on a side.

@@ -22,11 +22,12 @@ use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::integrals::has_integral;
 use num_traits::Zero;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 impl Judge<'_> {
     /// A link that fails is shown by a motion, unless what was not taken in could make it true.
-    pub(super) fn deny(&mut self, link: &Link, held: &mut Held, residuals: &[Fraction]) {
-        if let Some(sentence) = self.unused_of([&link.left, &link.right]) {
+    pub(super) fn deny(&mut self, link: &Link<'_>, held: &mut Held, residuals: &[Fraction]) {
+        if let Some(sentence) = self.unused_of(link.sides()) {
             held.doubt = Some(nothing_made_of(sentence));
             return;
         }
@@ -172,7 +173,8 @@ impl Judge<'_> {
         let atoms = &mut self.reading.system.atoms;
         match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {
-                held.shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+                let shown = shown(&mut self.facts, atoms, &held.sides, residuals, &world);
+                held.shown = shown.map(Arc::new);
                 // A length that gets no number may have the one that makes it true.
                 if held.shown.is_none() && has_letter(&held.sides, |v| atoms.is_length(v)) {
                     held.doubt = Some(messages::NO_NUMBERS.into());
@@ -229,7 +231,7 @@ impl Judge<'_> {
 
     /// Whether a density, or what belongs to one element, is left over beside an integral over all of them: it may be
     /// meant to be the same for each.
-    fn speaks_of_one_element(&self, link: &Link, residuals: &[Fraction]) -> bool {
+    fn speaks_of_one_element(&self, link: &Link<'_>, residuals: &[Fraction]) -> bool {
         let system = &self.reading.system;
         let integral = has_integral(&link.left) || has_integral(&link.right);
         let of_one =

@@ -5,6 +5,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::judge::Judge;
 use crate::verify::term::indices::with_number;
 use crate::verify::term::letters::spell;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// One line has no more links than this.
@@ -12,21 +13,21 @@ const MOST: usize = 36;
 
 impl Judge<'_> {
     /// The links of a line, those about any member of a family as one for each of the members that have names.
-    pub(super) fn links_of(&mut self, line: &Line) -> Vec<Link> {
+    pub(super) fn links_of<'l>(&mut self, line: &'l Line) -> Vec<Link<'l>> {
         let links = self.chain.links(line, &self.at).into_iter();
-        let mut links: Vec<Link> = links.map(|link| self.of_whole(link)).collect();
+        let mut links: Vec<Link<'l>> = links.map(|link| self.of_whole(link)).collect();
         while let Some((index, count)) = links.iter().find_map(|link| self.member_index(link)) {
             if links.len() * count > MOST {
                 break;
             }
-            let each = |link: Link| -> Vec<Link> {
+            let each = |link: Link<'l>| -> Vec<Link<'l>> {
                 if self.member_index(&link).is_none_or(|(own, _)| own != index) {
                     return vec![link];
                 }
                 let one = |number: usize| Link {
-                    left: numbered(&link.left, &index, number),
+                    left: Cow::Owned(numbered(&link.left, &index, number)),
                     relation: link.relation,
-                    right: numbered(&link.right, &index, number),
+                    right: Cow::Owned(numbered(&link.right, &index, number)),
                 };
                 (1..=count).map(one).collect()
             };
@@ -36,9 +37,9 @@ impl Judge<'_> {
     }
 
     /// A letter of a link that numbers members with names, and how many these are.
-    fn member_index(&self, link: &Link) -> Option<(String, usize)> {
+    fn member_index(&self, link: &Link<'_>) -> Option<(String, usize)> {
         let mut found = BTreeMap::new();
-        let sides = [&link.left, &link.right];
+        let sides = link.sides();
         sides.iter().for_each(|side| self.collect(side, &mut found));
         let mut free = found.into_iter();
         free.find(|(index, _)| !sides.iter().any(|side| sums_over(side, index)))

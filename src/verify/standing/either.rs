@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 impl Judge<'_> {
     /// A number is one of two where the product of its differences from both vanishes. `None` for a link without an open sign.
-    pub(super) fn hold_either(&mut self, link: &Link) -> Option<Held> {
+    pub(super) fn hold_either(&mut self, link: &Link<'_>) -> Option<Held> {
         let open = open_signs(&link.left) + open_signs(&link.right);
         if open == 0 {
             return None;
@@ -18,27 +18,33 @@ impl Judge<'_> {
         if open > 1 {
             return Some(Held::open(messages::OPEN_SIGNS));
         }
-        let mut product = Sides::default();
+        let (mut unknown, mut product) = (vec![], None);
         for minus in [false, true] {
             let mut signed = link.clone();
-            sign(&mut signed.left, minus);
-            sign(&mut signed.right, minus);
+            sign(signed.left.to_mut(), minus);
+            sign(signed.right.to_mut(), minus);
             let sides = match self.sides(&signed, &BTreeSet::new()) {
                 Ok(sides) => sides,
                 Err(trouble) => return Some(self.hold_sides(link, Err(trouble))),
             };
-            let [(left, right)] = sides.sides.as_slice() else {
+            let [(left, right)] = &*sides.sides else {
                 return Some(Held::open(messages::OPEN_SIGNS));
             };
             let difference = left.clone() - right.clone();
-            product.unknown.extend(sides.unknown);
-            product.sides = match product.sides.pop() {
-                None => vec![(difference, Zero::zero())],
-                Some((other, zero)) => vec![(other * difference, zero)],
-            };
+            unknown.extend(sides.unknown);
+            product = Some(match product {
+                None => difference,
+                Some(other) => other * difference,
+            });
         }
-        product.unknown.sort();
-        product.unknown.dedup();
+        unknown.sort();
+        unknown.dedup();
+        let sides = product.map(|product| (product, Zero::zero()));
+        let product = Sides {
+            sides: sides.into_iter().collect(),
+            unknown,
+            settles: None,
+        };
         Some(self.weigh(link, product))
     }
 }

@@ -5,24 +5,25 @@ use crate::verify::model::system::ELEMENT;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::judge::Judge;
 use crate::verify::term::letters::spelled;
+use std::borrow::Cow;
 
 /// What an integral over a body runs over: its mass or its volume.
 const MEASURES: [&str; 2] = ["m", "V"];
 
 impl Judge<'_> {
     /// The link of a whole and the integral over its elements, in the place of one of their shares.
-    pub(super) fn of_whole(&self, link: Link) -> Link {
+    pub(super) fn of_whole<'l>(&self, link: Link<'l>) -> Link<'l> {
         match self.whole_of_share(&link) {
             Some((left, right)) => Link {
-                left,
+                left: Cow::Owned(left),
                 relation: link.relation,
-                right,
+                right: Cow::Owned(right),
             },
             None => link,
         }
     }
 
-    fn whole_of_share(&self, link: &Link) -> Option<(Node, Node)> {
+    fn whole_of_share(&self, link: &Link<'_>) -> Option<(Node, Node)> {
         let mut families = self.reading.system.families.iter();
         families.find(|family| family.name == ELEMENT)?;
         let Kind::Product(share) = &link.left.kind else {

@@ -33,13 +33,13 @@ impl Judge<'_> {
     }
 
     /// What it is worth by the premises that it needs, or in letters that are short.
-    pub(super) fn weigh_by_needed(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+    pub(super) fn weigh_by_needed(&mut self, link: &Link<'_>, worked_out: &Sides) -> Option<Held> {
         self.weigh_by_relevant(link, worked_out)
             .or_else(|| self.weigh_keeping_letters(link, worked_out))
     }
 
     /// What it is worth without the premises that only tell letters of which it does not speak.
-    fn weigh_by_relevant(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+    fn weigh_by_relevant(&mut self, link: &Link<'_>, worked_out: &Sides) -> Option<Held> {
         let atoms = &self.reading.system.atoms;
         let relevant = relevant(atoms, self.premises(), &worked_out.sides)?;
         self.weigh_by_part(
@@ -51,7 +51,7 @@ impl Judge<'_> {
     }
 
     /// What it is worth where the letters stay that laws tell by constants: what stands in these laws is told by them.
-    fn weigh_keeping_letters(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+    fn weigh_keeping_letters(&mut self, link: &Link<'_>, worked_out: &Sides) -> Option<Held> {
         let atoms = &self.reading.system.atoms;
         let (all, goal) = (self.premises(), &worked_out.sides);
         let relevant = relevant(atoms, all.clone(), goal);
@@ -71,7 +71,7 @@ impl Judge<'_> {
     /// What it is worth to first or second order, by what the premises say to that order.
     ///
     /// A premise that says less of what is small than products of it says nothing then, so that what fails may hold.
-    pub(super) fn weigh_to_order(&mut self, link: &Link, worked_out: &Sides) -> Option<Held> {
+    pub(super) fn weigh_to_order(&mut self, link: &Link<'_>, worked_out: &Sides) -> Option<Held> {
         let small = self.small_here();
         if small.is_empty() {
             return None;
@@ -99,7 +99,7 @@ impl Judge<'_> {
     /// What it is worth by a part of the premises; `exact` where what fails by them fails by all.
     fn weigh_by_part(
         &mut self,
-        link: &Link,
+        link: &Link<'_>,
         worked_out: &Sides,
         part: Part,
         exact: bool,

@@ -4,9 +4,10 @@ use crate::algebra::Fraction;
 use crate::verify::model::system::System;
 use crate::verify::standing::apart::{Apart, Said};
 use crate::verify::standing::chains::Link;
-use crate::verify::standing::hold::{Sides, WorkedOut};
+use crate::verify::standing::hold::{Sides, Untold};
 use crate::verify::standing::memory::{Formula, Memory, Recall, Wording};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// Sides of more terms are not kept.
 const MOST_TERMS: usize = 300;
@@ -24,6 +25,13 @@ pub(super) struct Recalled {
     follows: Recall<Option<bool>>,
 }
 
+/// The sides of a link.
+pub(super) struct Worded {
+    pub(super) sides: Arc<Sides>,
+    /// How they are looked for, if they are kept by what they are worth.
+    pub(super) of: Option<Wording>,
+}
+
 impl Heard {
     /// For a document that begins with this.
     pub(super) fn used_by(self, system: &mut System) -> Recalled {
@@ -36,35 +44,60 @@ impl Heard {
 
 impl Apart<'_> {
     /// The sides of a link, as another document had them or worked out.
-    pub(super) fn sides_of(&mut self, link: &Link) -> WorkedOut {
+    pub(super) fn sides_of(&mut self, link: &Link<'_>) -> Result<Worded, Untold> {
         let asked = self.judge.reading.letters.written.times_asked();
         let own = self.wording_of(link);
         let system = &mut self.judge.reading.system;
-        let known = self.recalled.as_mut().zip(own.as_ref());
-        if let Some(sides) = known.and_then(|(recalled, own)| recalled.sides.known(system, own)) {
-            return Ok(sides);
+        let known = self.recalled.as_mut().zip(own);
+        let known = known.and_then(|(recalled, own)| recalled.sides.known_of(system, own));
+        if let Some((sides, of)) = known {
+            let of = Some(of).filter(|_| sides.unknown.is_empty());
+            return Ok(Worded { sides, of });
         }
-        let sides = self.judge.sides(link, &BTreeSet::new())?;
-        let size = |of: &Fraction| of.numerator().len() + of.denominator().len();
-        let terms = sides.sides.iter();
-        let terms: usize = terms.map(|(left, right)| size(left) + size(right)).sum();
+        let sides = Arc::new(self.judge.sides(link, &BTreeSet::new())?);
         // What hangs on other lines of the document is not the same in the next one.
         let alone = sides.settles.is_none()
             && self.judge.reading.letters.written.times_asked() == asked
-            && terms <= MOST_TERMS;
-        if let (Some(recalled), Some(own)) = (&mut self.recalled, own.filter(|_| alone)) {
-            let system = &self.judge.reading.system;
-            recalled.sides.keep(system, own, sides.clone(), terms);
+            && terms(&sides) <= MOST_TERMS;
+        match own.filter(|_| alone) {
+            Some(own) => Ok(self.keep_sides(own, sides)),
+            None => Ok(Worded { sides, of: None }),
         }
-        Ok(sides)
+    }
+
+    /// Keeps the sides of a link; where another writing came to the same, they are kept once.
+    fn keep_sides(&mut self, own: Wording, sides: Arc<Sides>) -> Worded {
+        let system = &mut self.judge.reading.system;
+        let Some(recalled) = &mut self.recalled else {
+            return Worded { sides, of: None };
+        };
+        let of = recalled
+            .sides
+            .wording(system, &Formula::of_sides(&sides.sides));
+        let Some(of) = of.filter(|_| sides.unknown.is_empty()) else {
+            let terms = terms(&sides);
+            recalled.sides.keep(system, own, sides.clone(), terms);
+            return Worded { sides, of: None };
+        };
+        let known = recalled.sides.known(system, of);
+        let sides = known.unwrap_or_else(|| {
+            let terms = terms(&sides);
+            recalled.sides.keep(system, of, sides.clone(), terms);
+            sides
+        });
+        recalled.sides.keep_as(system, own, of);
+        Worded {
+            sides,
+            of: Some(of),
+        }
     }
 
     /// A link as it is looked for; `None` for one that is not kept.
-    fn wording_of(&mut self, link: &Link) -> Option<Wording> {
+    fn wording_of(&mut self, link: &Link<'_>) -> Option<Wording> {
         let recalled = self.recalled.as_mut()?;
         let integrals = self.judge.reading.letters.customs.integrals;
         let of = Formula::of_link(link, link.relation as usize * 2 + usize::from(integrals))?;
-        recalled.sides.wording(&self.judge.reading.system, of)
+        recalled.sides.wording(&self.judge.reading.system, &of)
     }
 
     /// Whether these vanish if those do, as it came out for another document or is worked out.
@@ -78,18 +111,18 @@ impl Apart<'_> {
         let recalled = self.recalled.as_mut().filter(|_| self.is_fresh);
         let asked = recalled.and_then(|recalled| {
             let of = Formula::of_goals(goals, from, rates);
-            let wording = recalled.follows.wording(system, of)?;
-            Some((recalled.follows.known(system, &wording), wording))
+            let wording = recalled.follows.wording(system, &of)?;
+            Some((recalled.follows.known(system, wording), wording))
         });
         let wording = match asked {
-            Some((Some(known), _)) => return known,
+            Some((Some(known), _)) => return *known,
             Some((None, wording)) => Some(wording),
             None => None,
         };
         let follows = self.works_out(goals, from, rates);
         if let (Some(recalled), Some(wording)) = (&mut self.recalled, wording) {
             let system = &self.judge.reading.system;
-            recalled.follows.keep(system, wording, follows, 0);
+            recalled.follows.keep(system, wording, Arc::new(follows), 0);
         }
         follows
     }
@@ -100,11 +133,14 @@ impl Apart<'_> {
         let sides = said.sides.as_ref().filter(|_| !said.defines)?;
         let recalled = self.recalled.as_mut().filter(|_| self.is_fresh)?;
         let system = &self.judge.reading.system;
-        recalled.sides.wording(system, Formula::of_sides(sides))
+        match said.of {
+            Some(of) => recalled.sides.anew(system, of),
+            None => recalled.sides.wording(system, &Formula::of_sides(sides)),
+        }
     }
 
     /// The number of the variables that there are, where nothing of this document was taken in.
-    pub(crate) fn state(&mut self) -> Option<usize> {
+    pub(crate) fn state(&mut self) -> Option<u32> {
         let recalled = self.recalled.as_mut().filter(|_| self.is_fresh)?;
         recalled.sides.state(&self.judge.reading.system)
     }
@@ -113,4 +149,11 @@ impl Apart<'_> {
     pub(crate) fn changes(&self) -> u64 {
         self.judge.reading.system.atoms.changes()
     }
+}
+
+/// How many terms sides have.
+fn terms(of: &Sides) -> usize {
+    let size = |of: &Fraction| of.numerator().len() + of.denominator().len();
+    let sides = of.sides.iter();
+    sides.map(|(left, right)| size(left) + size(right)).sum()
 }

@@ -16,7 +16,9 @@ use crate::verify::standing::written::bounds_in;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{GROWN, Trouble, Value};
 use num_traits::Zero;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// What one link of a line came to.
 #[derive(Clone, Debug)]
@@ -33,8 +35,8 @@ pub(super) struct Held {
     pub(super) alone: bool,
     /// Whether it would say something of the motion that its new letters do not tell.
     pub(super) restricts: bool,
-    pub(super) sides: Vec<(Fraction, Fraction)>,
-    pub(super) shown: Option<Shown>,
+    pub(super) sides: Arc<[(Fraction, Fraction)]>,
+    pub(super) shown: Option<Arc<Shown>>,
     /// The letter that it settles, with its value.
     pub(super) settles: Option<(String, Value, Value)>,
     /// Whether it speaks of values at instants: then it is no fact of all times.
@@ -44,15 +46,18 @@ pub(super) struct Held {
 /// The sides of a link, component by component.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Sides {
-    pub(super) sides: Vec<(Fraction, Fraction)>,
+    pub(super) sides: Arc<[(Fraction, Fraction)]>,
     /// Letters of which nothing is told.
     pub(super) unknown: Vec<String>,
     /// The letter that it settles, with its value.
     pub(super) settles: Option<(String, Value, Value)>,
 }
 
-/// The sides, or why there are none and the letters of which nothing is told.
-pub(super) type WorkedOut = Result<Sides, (Trouble, Vec<String>)>;
+/// The sides, or why there are none.
+pub(super) type WorkedOut = Result<Sides, Untold>;
+
+/// Why there are no sides, and the letters of which nothing is told.
+pub(super) type Untold = (Trouble, Vec<String>);
 
 impl Held {
     pub(super) fn open(reason: impl Into<String>) -> Self {
@@ -65,7 +70,7 @@ impl Held {
             proof: None,
             unknown: vec![],
             alone: false,
-            sides: vec![],
+            sides: Arc::default(),
             shown: None,
             settles: None,
             at_instants: false,
@@ -75,19 +80,19 @@ impl Held {
 
 impl Judge<'_> {
     /// What one link is worth, worked out.
-    pub(super) fn hold_anew(&mut self, link: &Link) -> Held {
+    pub(super) fn hold_anew(&mut self, link: &Link<'_>) -> Held {
         if let Some(sentence) = self.unread_rule() {
             return Held::open(nothing_made_of(sentence));
         }
         let held = self.hold_told(link);
-        match self.unread_of(&[&link.left, &link.right], &held.unknown) {
+        match self.unread_of(&link.sides(), &held.unknown) {
             Some(sentence) => Held::open(nothing_made_of(sentence)),
             None => held,
         }
     }
 
     /// The same by the sentences that are understood.
-    fn hold_told(&mut self, link: &Link) -> Held {
+    fn hold_told(&mut self, link: &Link<'_>) -> Held {
         if let Some(bound) = self.other_bound(link) {
             return Held::open(messages::unknown_bound(&bound));
         }
@@ -105,7 +110,7 @@ impl Judge<'_> {
         }
     }
 
-    fn hold_unequal(&mut self, link: &Link) -> Held {
+    fn hold_unequal(&mut self, link: &Link<'_>) -> Held {
         let mut held = self.hold_equal(link);
         let atoms = &self.reading.system.atoms;
         // Where they are the same only if something does not vanish, they may differ.
@@ -141,8 +146,8 @@ impl Judge<'_> {
     }
 
     /// Up to where a sum runs on a link, if that is another letter than the document writes first.
-    fn other_bound(&self, link: &Link) -> Option<String> {
-        let nodes = [&link.left, &link.right].into_iter();
+    fn other_bound(&self, link: &Link<'_>) -> Option<String> {
+        let nodes = link.sides().into_iter();
         let mut all = nodes.flat_map(bounds_in);
         let other =
             all.find(|(index, bound)| self.written.bounds.get(index).is_some_and(|b| b != bound));
@@ -150,7 +155,7 @@ impl Judge<'_> {
     }
 
     /// "= const": the rate of the other side vanishes.
-    fn hold_constant(&mut self, link: &Link) -> Held {
+    fn hold_constant(&mut self, link: &Link<'_>) -> Held {
         let zero = Node {
             kind: Kind::Number(Number {
                 value: Zero::zero(),
@@ -160,7 +165,7 @@ impl Judge<'_> {
             span: link.right.span,
         };
         let rate = Kind::TimeDerivative {
-            operand: Box::new(link.left.clone()),
+            operand: Box::new(link.left.clone().into_owned()),
             order: 1,
             style: DerivativeStyle::Dots,
             frame: None,
@@ -170,13 +175,13 @@ impl Judge<'_> {
             span: link.left.span,
         };
         self.hold_equal(&Link {
-            left,
+            left: Cow::Owned(left),
             relation: Relation::Equal,
-            right: zero,
+            right: Cow::Owned(zero),
         })
     }
 
-    fn hold_equal(&mut self, link: &Link) -> Held {
+    fn hold_equal(&mut self, link: &Link<'_>) -> Held {
         if is_constant_word(&link.right) {
             let mut held = self.hold_constant(link);
             // Often it says which motion is looked at, and not what follows of all.
@@ -203,12 +208,12 @@ impl Judge<'_> {
         }
     }
 
-    pub(super) fn hold_sides(&mut self, link: &Link, sides: WorkedOut) -> Held {
+    pub(super) fn hold_sides(&mut self, link: &Link<'_>, sides: WorkedOut) -> Held {
         match sides {
             Ok(sides) => self.weigh(link, sides),
             Err((Trouble::IllTyped(message), unknown))
                 if unknown.is_empty()
-                    && self.unused_of([&link.left, &link.right]).is_none()
+                    && self.unused_of(link.sides()).is_none()
                     && self.reading.system.dimensions() == 3 =>
             {
                 let mut held = Held::open(message);
@@ -235,15 +240,19 @@ impl Judge<'_> {
     }
 
     /// Both sides of a link, for every axis that its free indices may number.
-    pub(super) fn sides(&mut self, link: &Link, besides: &BTreeSet<(String, usize)>) -> WorkedOut {
+    pub(super) fn sides(
+        &mut self,
+        link: &Link<'_>,
+        besides: &BTreeSet<(String, usize)>,
+    ) -> WorkedOut {
         if let Some(settled) = self.settled_by_relation(link) {
             return Ok(settled);
         }
-        let (letters, nodes) = (&self.reading.letters, [&link.left, &link.right]);
+        let (letters, nodes) = (&self.reading.letters, link.sides());
         let by_entries = by_entries(letters, &self.at, link);
         let free = || assignments(&free_letters(letters, &self.at, &nodes));
         let readings = cyclic_assignments(letters, &self.at, &nodes).unwrap_or_else(free);
-        let mut all = Sides::default();
+        let (mut all, mut sides) = (Sides::default(), vec![]);
         for axes in readings {
             let mut lowering = self.lowering();
             lowering.axes = axes;
@@ -257,7 +266,7 @@ impl Judge<'_> {
                     settles,
                 }) => {
                     let entries = left.entries.iter().cloned();
-                    all.sides.extend(entries.zip(right.entries.iter().cloned()));
+                    sides.extend(entries.zip(right.entries.iter().cloned()));
                     all.settles = settles.map(|letter| (letter, left, right));
                 }
                 Err(trouble) => {
@@ -277,6 +286,7 @@ impl Judge<'_> {
         }
         all.unknown.sort();
         all.unknown.dedup();
+        all.sides = sides.into();
         Ok(all)
     }
 
@@ -304,7 +314,7 @@ impl Judge<'_> {
     }
 
     /// What a link is worth whose sides are worked out, weighed anew.
-    pub(super) fn weigh_anew(&mut self, link: &Link, worked_out: Sides) -> Held {
+    pub(super) fn weigh_anew(&mut self, link: &Link<'_>, worked_out: Sides) -> Held {
         if self.facts.are_too_many
             && let Some(held) = self.weigh_by_needed(link, &worked_out)
         {
@@ -335,7 +345,7 @@ impl Judge<'_> {
     /// What a link is worth by what is left of its differences.
     pub(super) fn weigh_residuals(
         &mut self,
-        link: &Link,
+        link: &Link<'_>,
         worked_out: Sides,
         residuals: &[Fraction],
     ) -> Held {
@@ -389,8 +399,8 @@ impl Judge<'_> {
 
     /// Whether one of these letters is a side of a link, or a factor of one, and no line has settled it: only sentences
     /// may tell its shape.
-    fn has_new_letter_alone(&self, link: &Link, unknown: &[String]) -> bool {
-        let letters = [&link.left, &link.right].into_iter().flat_map(factors);
+    fn has_new_letter_alone(&self, link: &Link<'_>, unknown: &[String]) -> bool {
+        let letters = link.sides().into_iter().flat_map(factors);
         let mut new = letters.filter(|letter| {
             self.reading.shapes.contains_key(letter) || !self.known.shapes.contains_key(letter)
         });

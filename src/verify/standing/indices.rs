@@ -52,7 +52,7 @@ pub(crate) fn assignments(free: &[String]) -> Vec<BTreeMap<String, usize>> {
 }
 
 /// Whether one side is a matrix by its entries between brackets, `(a_{ij})`, and the other has no index.
-pub(crate) fn by_entries(letters: &Letters, at: &At, link: &Link) -> bool {
+pub(crate) fn by_entries(letters: &Letters, at: &At, link: &Link<'_>) -> bool {
     let indexed = |side: &Node| !free_letters(letters, at, &[side]).is_empty();
     let bracketed = |side: &Node| matches!(side.kind, Kind::Group(..)) && indexed(side);
     bracketed(&link.left) && !indexed(&link.right) || bracketed(&link.right) && !indexed(&link.left)

@@ -3,6 +3,7 @@
 use crate::algebra::{Fraction, Proof};
 use crate::notation::ast::Line;
 use crate::notation::document::{Document, Format, Formula, Headings, Item, Row};
+use crate::recent::Digest;
 use crate::source::{self, Span};
 use crate::verify::Role;
 use crate::verify::facts::Source;
@@ -11,6 +12,7 @@ use crate::verify::facts::small::Small;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::{Chain, Link, head_of, may_define};
 use crate::verify::standing::hold::Held;
+use crate::verify::standing::memory::Wording;
 use crate::verify::standing::parts::Part;
 use crate::verify::standing::prepared::Prepared;
 use crate::verify::standing::recalled::Recalled;
@@ -24,6 +26,7 @@ use crate::verify::standing::written::{
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::At;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What is said of a line.
 #[derive(Clone, Debug)]
@@ -39,9 +42,9 @@ pub(crate) struct Judged {
     /// Letters of which nothing is told.
     pub(crate) unknown: Vec<String>,
     /// The numbers in which it fails.
-    pub(crate) shown: Option<Shown>,
+    pub(crate) shown: Option<Arc<Shown>>,
     /// The sides in which it fails, component by component.
-    pub(crate) sides: Vec<(Fraction, Fraction)>,
+    pub(crate) sides: Arc<[(Fraction, Fraction)]>,
 }
 
 /// A line that waits for letters.
@@ -49,7 +52,7 @@ struct Waiting {
     /// Its place among the lines that are judged.
     place: usize,
     line: Line,
-    links: Vec<Link>,
+    links: Vec<Link<'static>>,
     purpose: Purpose,
     /// Whether it was looked at again already.
     second_time: bool,
@@ -99,11 +102,15 @@ pub(super) struct Again {
     /// Those of this paragraph and of the one before it that wait.
     waiting: Vec<Waiting>,
     /// The accepted ones that define letters.
-    pub(super) defining: Vec<(Source, Vec<Link>)>,
+    pub(super) defining: Vec<(Source, Vec<Link<'static>>)>,
     /// Lines that are taken as given and of which nothing was made.
     pub(super) not_taken_in: Vec<Source>,
     /// What links came to in other documents; none once a line of this one was taken into the facts.
     pub(super) recalled: Option<Recalled>,
+    /// What the link that is looked at was found to be worth by its sides, and how that is looked for.
+    pub(super) weighed: Option<(Wording, Held)>,
+    /// What the document writes, as it is looked for.
+    pub(super) writing: Option<Digest>,
 }
 
 impl<'a> Judge<'a> {
@@ -127,7 +134,7 @@ impl<'a> Judge<'a> {
                 trial: None,
                 small: Small::default(),
             },
-            chain: Chain::told_by(&part.declarations),
+            chain: Chain::told_by(&part.declarations, document),
             at: At::default(),
             words: Words::default(),
             judged: vec![],
@@ -191,20 +198,6 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether a formula stands behind a name and a colon on its line: "(c) Symmetric body: …" says of nothing that it is
-    /// so.
-    fn is_only_named(&self, line: &Line) -> bool {
-        let text = &self.document.source.text;
-        let before = text[..line.span.range().start].trim_end_matches(['$', '\\', '(', '`']);
-        let beside = before
-            .rsplit('\n')
-            .next()
-            .is_some_and(|line| line.contains(':'));
-        let paragraph = self.words.sentence.rsplit('\n').next();
-        let paragraph = paragraph.unwrap_or("").trim_end();
-        beside && paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
-    }
-
     fn formula(&mut self, formula: &Formula) {
         if let (true, [Row::Expression(head), _, ..]) = (formula.display, formula.rows.as_slice()) {
             self.chain.begin(head);
@@ -260,13 +253,14 @@ impl<'a> Judge<'a> {
             return;
         };
         if defines && answer == Answer::Accepted {
-            self.again.defining.push((self.source(), links.clone()));
+            let links = links.iter().cloned().map(Link::into_owned);
+            self.again.defining.push((self.source(), links.collect()));
         }
         if waits && answer != Answer::Proved || unknown && answer == Answer::Undecided {
             self.again.waiting.push(Waiting {
                 place: before,
                 line: line.clone(),
-                links,
+                links: links.into_iter().map(Link::into_owned).collect(),
                 purpose,
                 second_time: false,
             });
@@ -294,7 +288,7 @@ impl<'a> Judge<'a> {
     }
 
     /// What the links of a line are worth, and its braces that do not hold.
-    fn hold_line(&mut self, line: &Line, links: &[Link]) -> Vec<Held> {
+    fn hold_line(&mut self, line: &Line, links: &[Link<'_>]) -> Vec<Held> {
         self.written.small = self.reading.small_by_remainders(&line.sides, &self.at);
         let mut held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
         held.extend(self.failing_braces(line));

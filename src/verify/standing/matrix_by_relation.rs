@@ -24,8 +24,9 @@ struct Applied<'n> {
 
 impl Judge<'_> {
     /// What a letter is by a relation of two vectors, where nothing else tells it; `None` where the line says something else.
-    pub(super) fn settled_by_relation(&mut self, link: &Link) -> Option<Sides> {
-        let ways = [(&link.left, &link.right), (&link.right, &link.left)];
+    pub(super) fn settled_by_relation(&mut self, link: &Link<'_>) -> Option<Sides> {
+        let [left, right] = link.sides();
+        let ways = [(left, right), (right, left)];
         ways.into_iter()
             .find_map(|(side, other)| self.settled_by(&applied(side)?, other))
     }

@@ -5,7 +5,7 @@
 
 use crate::algebra::{Fraction, Polynomial};
 use crate::notation::ast::{Line, Shape};
-use crate::recent::Recent;
+use crate::recent::{Digest, Recent};
 use crate::verify::model::changes::Added;
 use crate::verify::model::system::System;
 use crate::verify::standing::chains::Link;
@@ -14,13 +14,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// How many bytes of one kind are kept, about.
 const MOST_BYTES: usize = 3 << 19;
 
-/// What a formula and its value take beside their terms, and what each term takes.
-const BYTES: usize = 1_000;
+/// What one that is looked for takes, what a value takes beside its terms, and what each term takes.
+const BYTES: usize = 160;
+const BYTES_OF_VALUE: usize = 600;
 const BYTES_OF_TERM: usize = 60;
-
-/// Formulas whose trees have more bytes, or whose sides more terms, are not kept.
-const LONGEST: usize = 2_000;
-const MOST_TERMS: usize = 500;
 
 /// Documents with variables in more orders than this are not told apart, and nothing of them is kept.
 const MOST_STATES: usize = 48;
@@ -36,7 +33,7 @@ impl<V> Clone for Memory<V> {
     }
 }
 
-impl<V: Clone> Default for Memory<V> {
+impl<V> Default for Memory<V> {
     fn default() -> Self {
         Self(Arc::new(Mutex::new(Kept {
             states: vec![],
@@ -53,10 +50,44 @@ struct Kept<V> {
 }
 
 /// What was found, and the state after it, where it brought up variables.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Found<V> {
-    value: V,
-    then: Option<usize>,
+    value: Value<V>,
+    then: Option<u32>,
+}
+
+impl<V> Clone for Found<V> {
+    fn clone(&self) -> Self {
+        Self {
+            value: self.value.clone(),
+            then: self.then,
+        }
+    }
+}
+
+/// A value, or the wording of which the same was found.
+#[derive(Debug)]
+enum Value<V> {
+    Own(Arc<V>),
+    Of(Wording),
+}
+
+impl<V> Clone for Value<V> {
+    fn clone(&self) -> Self {
+        match self {
+            Self::Own(value) => Self::Own(value.clone()),
+            Self::Of(wording) => Self::Of(*wording),
+        }
+    }
+}
+
+impl<V> Found<V> {
+    fn own(self) -> Option<Arc<V>> {
+        match self.value {
+            Value::Own(value) => Some(value),
+            Value::Of(_) => None,
+        }
+    }
 }
 
 impl<V> Memory<V> {
@@ -67,26 +98,36 @@ impl<V> Memory<V> {
 }
 
 /// A formula beside the variables that it meets.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Wording {
-    state: usize,
-    of: Formula,
+    state: u32,
+    of: Digest,
+}
+
+impl Wording {
+    /// The same beside something else that it hangs on.
+    pub(crate) fn beside(self, other: Digest) -> Self {
+        Self {
+            of: Digest::of(&(self.of, other)),
+            ..self
+        }
+    }
 }
 
 /// A formula as it is looked for.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Formula {
+pub(crate) enum Formula<'f> {
     /// Its tree.
     Tree(Vec<u8>),
     /// What its sides are worth.
-    Sides(Vec<Polynomial>),
+    Sides(Vec<&'f Polynomial>),
     /// Whether the first of these vanish where the others do, with their rates or without.
-    Follows(usize, bool, Vec<Polynomial>),
+    Follows(usize, bool, Vec<&'f Polynomial>),
 }
 
-impl Formula {
+impl<'f> Formula<'f> {
     /// By the trees of a link, beside what else it hangs on; `None` where its text tells more than these do.
-    pub(crate) fn of_link(link: &Link, beside: usize) -> Option<Self> {
+    pub(crate) fn of_link(link: &Link<'_>, beside: usize) -> Option<Self> {
         let mut shape = Shape::default();
         shape.number(beside);
         shape.tree(&link.left)?;
@@ -106,47 +147,21 @@ impl Formula {
     }
 
     /// By what its sides are worth.
-    pub(crate) fn of_sides(sides: &[(Fraction, Fraction)]) -> Self {
+    pub(crate) fn of_sides(sides: &'f [(Fraction, Fraction)]) -> Self {
         let sides = sides.iter().flat_map(|(left, right)| [left, right]);
         Self::Sides(parts(sides))
     }
 
     /// Whether these vanish where those do.
-    pub(crate) fn of_goals(goals: &[Fraction], from: &[Fraction], rates: bool) -> Self {
+    pub(crate) fn of_goals(goals: &'f [Fraction], from: &'f [Fraction], rates: bool) -> Self {
         Self::Follows(goals.len(), rates, parts(goals.iter().chain(from)))
-    }
-
-    /// Lets go of what it does not need while it is kept.
-    fn shrink(&mut self) {
-        if let Self::Tree(bytes) = self {
-            bytes.shrink_to_fit();
-        }
-    }
-
-    fn is_long(&self) -> bool {
-        match self {
-            Self::Tree(bytes) => bytes.len() > LONGEST,
-            Self::Sides(values) | Self::Follows(.., values) => terms(values) > MOST_TERMS,
-        }
-    }
-
-    /// How many bytes it takes.
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Tree(bytes) => bytes.len(),
-            Self::Sides(values) | Self::Follows(.., values) => terms(values) * BYTES_OF_TERM,
-        }
     }
 }
 
 /// What fractions are made of.
-fn parts<'f>(of: impl Iterator<Item = &'f Fraction>) -> Vec<Polynomial> {
-    let parts = of.flat_map(|value| [value.numerator(), value.denominator()]);
-    parts.cloned().collect()
-}
-
-fn terms(of: &[Polynomial]) -> usize {
-    of.iter().map(Polynomial::len).sum()
+fn parts<'f>(of: impl Iterator<Item = &'f Fraction>) -> Vec<&'f Polynomial> {
+    of.flat_map(|value| [value.numerator(), value.denominator()])
+        .collect()
 }
 
 /// The memory, as one document uses it.
@@ -156,13 +171,13 @@ pub(crate) struct Recall<V> {
     /// How many variables the document began with.
     first: usize,
     /// Which variables it has, and since when.
-    state: Option<usize>,
+    state: Option<u32>,
     changes: Option<u64>,
     /// How much the system had of everything else.
     extent: [usize; 8],
 }
 
-impl<V: Clone> Recall<V> {
+impl<V> Recall<V> {
     /// For a document that begins with this.
     pub(crate) fn new(memory: Memory<V>, system: &mut System) -> Self {
         system.atoms.watch();
@@ -175,14 +190,21 @@ impl<V: Clone> Recall<V> {
         }
     }
 
-    /// A formula beside the variables that there are; `None` for one that is not kept.
-    pub(crate) fn wording(&mut self, system: &System, of: Formula) -> Option<Wording> {
-        let state = self.state(system).filter(|_| !of.is_long())?;
+    /// A formula beside the variables that there are; `None` where there are too many others.
+    pub(crate) fn wording(&mut self, system: &System, of: &Formula<'_>) -> Option<Wording> {
+        let state = self.state(system)?;
+        let of = Digest::of(of);
         Some(Wording { state, of })
     }
 
+    /// The formula of a wording beside the variables that there are now.
+    pub(crate) fn anew(&mut self, system: &System, wording: Wording) -> Option<Wording> {
+        let state = self.state(system)?;
+        Some(Wording { state, ..wording })
+    }
+
     /// The number of the variables that the document has; `None` where there are too many others.
-    pub(crate) fn state(&mut self, system: &System) -> Option<usize> {
+    pub(crate) fn state(&mut self, system: &System) -> Option<u32> {
         let atoms = &system.atoms;
         if self.changes != Some(atoms.changes()) {
             self.changes = Some(atoms.changes());
@@ -191,7 +213,7 @@ impl<V: Clone> Recall<V> {
         self.state
     }
 
-    fn find_state(&self, system: &System) -> Option<usize> {
+    fn find_state(&self, system: &System) -> Option<u32> {
         let atoms = &system.atoms;
         if !atoms.are_untouched(self.first) || system.extent() != self.extent {
             return None;
@@ -202,31 +224,54 @@ impl<V: Clone> Recall<V> {
             .position(|added| atoms.has_added(self.first, added));
         if known.is_none() && states.len() < MOST_STATES {
             states.push(atoms.added(self.first));
-            return Some(states.len() - 1);
+            return Some(states.len() as u32 - 1);
         }
-        known
+        known.map(|state| state as u32)
     }
 
     /// What was found before; the variables that it brought up then are there afterwards.
-    pub(crate) fn known(&mut self, system: &mut System, wording: &Wording) -> Option<V> {
+    pub(crate) fn known(&mut self, system: &mut System, wording: Wording) -> Option<Arc<V>> {
+        self.known_of(system, wording).map(|(value, _)| value)
+    }
+
+    /// The same, and the wording that it was found of.
+    pub(crate) fn known_of(
+        &mut self,
+        system: &mut System,
+        wording: Wording,
+    ) -> Option<(Arc<V>, Wording)> {
         let mut kept = self.memory.kept();
-        let found = kept.values.get(wording)?;
+        let found = kept.values.get(&wording)?;
+        let (value, of) = match found.value {
+            Value::Own(value) => (value, wording),
+            Value::Of(other) => (kept.values.get(&other)?.own()?, other),
+        };
         if let Some(then) = found.then {
-            system.atoms.bring_up(self.first, &kept.states[then]);
+            system
+                .atoms
+                .bring_up(self.first, &kept.states[then as usize]);
             (self.state, self.changes) = (Some(then), Some(system.atoms.changes()));
         }
-        Some(found.value)
+        Some((value, of))
     }
 
     /// Keeps what was found, which has so many terms.
-    pub(crate) fn keep(&mut self, system: &System, mut wording: Wording, found: V, terms: usize) {
-        wording.of.shrink();
+    pub(crate) fn keep(&mut self, system: &System, wording: Wording, found: Arc<V>, terms: usize) {
+        let bytes = BYTES + BYTES_OF_VALUE + terms * BYTES_OF_TERM;
+        self.keep_value(system, wording, Value::Own(found), bytes);
+    }
+
+    /// Keeps that what was found is the same as of another wording.
+    pub(crate) fn keep_as(&mut self, system: &System, wording: Wording, other: Wording) {
+        self.keep_value(system, wording, Value::Of(other), BYTES);
+    }
+
+    fn keep_value(&mut self, system: &System, wording: Wording, value: Value<V>, bytes: usize) {
         let Some(now) = self.state(system) else {
             return;
         };
         let then = Some(now).filter(|now| *now != wording.state);
-        let bytes = BYTES + wording.of.bytes() + terms * BYTES_OF_TERM;
         let values = &mut self.memory.kept().values;
-        values.insert(wording, Found { value: found, then }, bytes);
+        values.insert(wording, Found { value, then }, bytes);
     }
 }

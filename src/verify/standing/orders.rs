@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 impl Judge<'_> {
     /// "I_3 > I_1": a narrower motion, if there is one. Whether it follows is not decided.
-    pub(super) fn hold_order(&mut self, link: &Link, relation: Relation) -> Held {
+    pub(super) fn hold_order(&mut self, link: &Link<'_>, relation: Relation) -> Held {
         let mut held = Held::open(messages::OPEN_RELATION);
         let upward = match relation {
             Relation::Less | Relation::LessOrEqual => true,
@@ -22,7 +22,7 @@ impl Judge<'_> {
         let Ok(sides) = self.sides(link, &BTreeSet::new()) else {
             return held;
         };
-        let [(left, right)] = sides.sides.as_slice() else {
+        let [(left, right)] = &*sides.sides else {
             return held;
         };
         let difference = match upward {

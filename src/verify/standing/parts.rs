@@ -66,9 +66,9 @@ impl Part {
 
     /// Whether a line stands in another part, and defines no letter for this one: what a sentence tells there it tells of
     /// that part.
-    pub(crate) fn passes_over(&self, links: &[Link], letters: &Letters, at: &At) -> bool {
+    pub(crate) fn passes_over(&self, links: &[Link<'_>], letters: &Letters, at: &At) -> bool {
         let told = |side: &Node| self.elsewhere.contains(&exact_key(side));
-        let mut sides = links.iter().flat_map(|link| [&link.left, &link.right]);
+        let mut sides = links.iter().flat_map(|link| link.sides());
         !self.has(at) && (!may_define(links, letters, at) || sides.any(told))
     }
 }

@@ -85,7 +85,7 @@ impl Judge<'_> {
             return Answer::Accepted;
         }
         let before = self.reading.settled.len();
-        for (left, right) in &held.sides {
+        for (left, right) in &*held.sides {
             let equation = left.clone() - right.clone();
             let atoms = &mut self.reading.system.atoms;
             match self.facts.extend(atoms, &equation, source) {

@@ -7,7 +7,7 @@ use crate::verify::reading::builder::build;
 use crate::verify::standing::recalled::Links;
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::At;
-use std::collections::BTreeSet;
+use crate::verify::term::written::Written;
 
 /// A reading, what was found out of letters by it, and the premises that are put in. Many documents may begin with it.
 #[derive(Clone, Debug)]
@@ -21,11 +21,7 @@ pub(crate) struct Prepared {
 
 impl Prepared {
     /// By these sentences, for a document that writes these symbols; the variables of the model are numbered from one on.
-    pub(crate) fn new(
-        declarations: &[Declaration],
-        written: BTreeSet<String>,
-        first: usize,
-    ) -> Self {
+    pub(crate) fn new(declarations: &[Declaration], written: Written, first: usize) -> Self {
         let mut reading = build(declarations, written, first);
         reading.system.set_dimensions(3);
         Self {
@@ -52,7 +48,7 @@ impl Prepared {
     }
 
     /// The same for a document that writes other symbols, if it would be read alike.
-    pub(crate) fn for_writing(&self, written: &BTreeSet<String>) -> Option<Self> {
+    pub(crate) fn for_writing(&self, written: &Written) -> Option<Self> {
         let letters = &self.reading.letters;
         letters.written.answers_as(written).then(|| {
             let mut own = self.clone();

@@ -27,14 +27,28 @@ fn is_conditional(sentence: &str) -> bool {
 }
 
 impl Judge<'_> {
+    /// Whether a formula stands behind a name and a colon on its line: "(c) Symmetric body: …" says of nothing that it is
+    /// so.
+    pub(super) fn is_only_named(&self, line: &Line) -> bool {
+        let text = &self.document.source.text;
+        let before = text[..line.span.range().start].trim_end_matches(['$', '\\', '(', '`']);
+        let beside = before
+            .rsplit('\n')
+            .next()
+            .is_some_and(|line| line.contains(':'));
+        let paragraph = self.words.sentence.rsplit('\n').next();
+        let paragraph = paragraph.unwrap_or("").trim_end();
+        beside && paragraph.ends_with(':') && paragraph.split_whitespace().count() <= 5
+    }
+
     /// What the line that is looked at is for; a sentence about the line itself counts most.
-    pub(super) fn purpose_of(&self, line: &Line, links: &[Link], display: bool) -> Purpose {
+    pub(super) fn purpose_of(&self, line: &Line, links: &[Link<'_>], display: bool) -> Purpose {
         let mut purpose = purpose(&self.words.sentence).on(line.continues, links);
         if !display {
             purpose = purpose.in_text(links);
             purpose.doubtful |= is_conditional(&self.words.sentence);
         }
-        let sides: Vec<&Node> = links.iter().flat_map(|l| [&l.left, &l.right]).collect();
+        let sides: Vec<&Node> = links.iter().flat_map(|l| l.sides()).collect();
         if !purpose.derived && self.reading.chooses_reference(&sides) {
             purpose.role = Role::Assume;
         }
@@ -84,7 +98,7 @@ impl Judge<'_> {
     }
 
     /// Whether a line stands in another part, and says nothing of this one.
-    pub(super) fn passes_over(&self, links: &[Link]) -> bool {
+    pub(super) fn passes_over(&self, links: &[Link<'_>]) -> bool {
         let elsewhere = self
             .part
             .passes_over(links, &self.reading.letters, &self.at);
@@ -92,8 +106,8 @@ impl Judge<'_> {
     }
 
     /// Whether a line of another part is declared to hold, and this part is a case of that one.
-    fn binds_as_premise(&self, links: &[Link]) -> bool {
-        let sides: Vec<&Node> = links.iter().flat_map(|l| [&l.left, &l.right]).collect();
+    fn binds_as_premise(&self, links: &[Link<'_>]) -> bool {
+        let sides: Vec<&Node> = links.iter().flat_map(|l| l.sides()).collect();
         let role = self.reading.role(&self.at, &sides);
         self.part.is_case_of(&self.at) && matches!(role, Some(Role::Given | Role::Assume))
     }

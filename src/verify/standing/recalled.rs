@@ -3,6 +3,7 @@
 use crate::algebra::{Argument, Combination, Reason};
 use crate::notation::ast::{Line, Relation};
 use crate::notation::document::Format;
+use crate::recent::Digest;
 use crate::verify::Diagnosis;
 use crate::verify::reading::Reading;
 use crate::verify::standing::chains::Link;
@@ -11,6 +12,7 @@ use crate::verify::standing::judge::Judge;
 use crate::verify::standing::memory::{Formula, Memory, Recall, Wording};
 use crate::verify::term::integrals::has_integral;
 use crate::verify::term::letters::Reach;
+use std::sync::Arc;
 
 /// What links came to whose proofs and sides have more terms is not kept.
 const MOST_TERMS: usize = 1_000;
@@ -60,51 +62,93 @@ impl Links {
     }
 }
 
+impl Held {
+    /// Whether both are what one link came to.
+    fn is_same(&self, other: &Self) -> bool {
+        let plain = |held: &Self| {
+            (
+                held.standing,
+                [held.beyond, held.alone, held.restricts, held.at_instants],
+            )
+        };
+        let shown = |held: &Self| held.shown.as_ref().map(Arc::as_ptr);
+        Arc::ptr_eq(&self.sides, &other.sides)
+            && plain(self) == plain(other)
+            && shown(self) == shown(other)
+            && self.settles.is_none()
+            && other.settles.is_none()
+            && (&self.reason, &self.doubt, &self.unknown)
+                == (&other.reason, &other.doubt, &other.unknown)
+            && self.proof == other.proof
+    }
+}
+
 impl Judge<'_> {
     /// What one link is worth.
-    pub(super) fn hold(&mut self, link: &Link) -> Held {
+    pub(super) fn hold(&mut self, link: &Link<'_>) -> Held {
         let wording = self.wording(link);
-        if let Some(held) = self.recall(wording.as_ref()) {
+        if let Some(held) = self.recall(wording) {
+            return held;
+        }
+        // What hangs on what else is written is the same where the same is.
+        let beside = wording.map(|wording| wording.beside(self.writing()));
+        if let Some(held) = self.recall(beside) {
+            self.reading.letters.written.note_asked();
             return held;
         }
         let asked = self.reading.letters.written.times_asked();
+        self.again.weighed = None;
         let held = self.hold_anew(link);
-        // What hangs on other lines of the document is not the same in the next one.
-        if self.reading.letters.written.times_asked() == asked {
-            self.remember(wording, &held);
+        let weighed = self.again.weighed.take();
+        let hangs = self.reading.letters.written.times_asked() != asked;
+        let wording = if hangs { beside } else { wording };
+        match weighed.filter(|(_, weighed)| held.is_same(weighed)) {
+            Some((other, _)) => self.remember_as(wording, other),
+            None => self.remember(wording, &held),
         }
         held
     }
 
+    /// What the document writes, as it is looked for.
+    fn writing(&mut self) -> Digest {
+        let written = &self.reading.letters.written;
+        *self.again.writing.get_or_insert_with(|| written.digest())
+    }
+
     /// What a link is worth whose sides are worked out: the same for all writings of these.
-    pub(super) fn weigh(&mut self, link: &Link, worked_out: Sides) -> Held {
+    pub(super) fn weigh(&mut self, link: &Link<'_>, worked_out: Sides) -> Held {
         let plain = self.again.recalled.is_some()
             && worked_out.unknown.is_empty()
             && worked_out.settles.is_none()
-            && ![&link.left, &link.right].into_iter().any(has_integral);
-        let of = plain.then(|| Formula::of_sides(&worked_out.sides));
-        let wording = of.and_then(|of| self.beside(of));
-        if let Some(held) = self.recall(wording.as_ref()) {
-            return held;
-        }
-        let held = self.weigh_anew(link, worked_out);
-        self.remember(wording, &held);
+            && !link.sides().into_iter().any(has_integral);
+        let sides = worked_out.sides.clone();
+        let of = plain.then(|| Formula::of_sides(&sides));
+        let wording = of.and_then(|of| self.beside(&of));
+        let held = match self.recall(wording) {
+            Some(held) => held,
+            None => {
+                let held = self.weigh_anew(link, worked_out);
+                self.remember(wording, &held);
+                held
+            }
+        };
+        self.again.weighed = wording.map(|wording| (wording, held.clone()));
         held
     }
 
     /// A link as it is looked for; `None` for one that is not kept.
-    fn wording(&mut self, link: &Link) -> Option<Wording> {
+    fn wording(&mut self, link: &Link<'_>) -> Option<Wording> {
         let relation = link.relation;
         if !matches!(relation, Relation::Equal | Relation::Defined) {
             return None;
         }
         self.again.recalled.as_ref()?;
         let of = Formula::of_link(link, relation as usize)?;
-        self.beside(of)
+        self.beside(&of)
     }
 
     /// A formula beside the variables that there are; `None` where lines of this document were taken into the facts.
-    fn beside(&mut self, of: Formula) -> Option<Wording> {
+    fn beside(&mut self, of: &Formula<'_>) -> Option<Wording> {
         if self.facts.are_too_many || !self.reading.settled.is_empty() {
             return None;
         }
@@ -123,15 +167,15 @@ impl Judge<'_> {
         let of = Formula::of_line(line, document.source.slice(line.span))?;
         let recalled = self.again.recalled.as_mut()?;
         Some(AskedFor {
-            wording: recalled.1.wording(&self.reading.system, of)?,
+            wording: recalled.1.wording(&self.reading.system, &of)?,
             asked: self.reading.letters.written.times_asked(),
         })
     }
 
     /// What put the same line right in another document.
-    pub(crate) fn recall_correction(&mut self, of: &AskedFor) -> Option<Correction> {
+    pub(crate) fn recall_correction(&mut self, of: &AskedFor) -> Option<Arc<Correction>> {
         let recalled = self.again.recalled.as_mut()?;
-        recalled.1.known(&mut self.reading.system, &of.wording)
+        recalled.1.known(&mut self.reading.system, of.wording)
     }
 
     /// Keeps what puts a line right, unless it hangs on what else the document writes.
@@ -139,13 +183,21 @@ impl Judge<'_> {
         let same = self.reading.letters.written.times_asked() == of.asked;
         if let Some(recalled) = self.again.recalled.as_mut().filter(|_| same) {
             let system = &self.reading.system;
-            recalled.1.keep(system, of.wording, correction, 0);
+            recalled.1.keep(system, of.wording, Arc::new(correction), 0);
         }
     }
 
-    fn recall(&mut self, wording: Option<&Wording>) -> Option<Held> {
+    fn recall(&mut self, wording: Option<Wording>) -> Option<Held> {
         let recalled = self.again.recalled.as_mut()?;
-        recalled.0.known(&mut self.reading.system, wording?)
+        let held = recalled.0.known(&mut self.reading.system, wording?)?;
+        Some(Held::clone(&held))
+    }
+
+    /// Keeps that a link came to what another wording did.
+    fn remember_as(&mut self, wording: Option<Wording>, other: Wording) {
+        if let (Some(recalled), Some(wording)) = (&mut self.again.recalled, wording) {
+            recalled.0.keep_as(&self.reading.system, wording, other);
+        }
     }
 
     fn remember(&mut self, wording: Option<Wording>, held: &Held) {
@@ -157,7 +209,9 @@ impl Judge<'_> {
         let wording = wording.filter(|_| alone && terms <= MOST_TERMS);
         if let (Some(recalled), Some(wording)) = (&mut self.again.recalled, wording) {
             let system = &self.reading.system;
-            recalled.0.keep(system, wording, held.clone(), terms);
+            recalled
+                .0
+                .keep(system, wording, Arc::new(held.clone()), terms);
         }
     }
 }

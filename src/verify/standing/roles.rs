@@ -1,6 +1,7 @@
 //! What a line is for, by the words that lead into it.
 
 use crate::notation::ast::{Kind, Line, Node};
+use crate::recent::Recent;
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues, denies_assumption};
 use crate::verify::standing::chains::Link;
@@ -8,6 +9,7 @@ use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::verdicts::Standing;
 use crate::verify::term::letters::spelled;
+use std::cell::RefCell;
 
 /// What stands in a sentence for a relation.
 pub(crate) const RELATION: &str = "⟨=⟩";
@@ -47,13 +49,14 @@ impl Purpose {
 
     /// The purpose of a line with these links. An assumption says what one quantity is; a row that goes on from one
     /// with more than a quantity is worked out from it, and so is one that goes on from a definition.
-    pub(crate) fn on(mut self, continues: bool, links: &[Link]) -> Self {
+    pub(crate) fn on(mut self, continues: bool, links: &[Link<'_>]) -> Self {
         // What a row goes on from is defined already.
         if continues && self.role == Role::Define {
             self.role = Role::Claim;
         }
         let assumed = matches!(self.role, Role::Assume | Role::Given);
-        let told = |link: &Link| is_quantity(&link.left) && !continues || is_quantity(&link.right);
+        let told =
+            |link: &Link<'_>| is_quantity(&link.left) && !continues || is_quantity(&link.right);
         if assumed && !links.iter().all(told) {
             match continues {
                 true => self.role = Role::Claim,
@@ -64,8 +67,8 @@ impl Purpose {
     }
 
     /// The purpose of a line in running text.
-    pub(crate) fn in_text(mut self, links: &[Link]) -> Self {
-        let value = |link: &Link| is_quantity(&link.left) && is_value(&link.right);
+    pub(crate) fn in_text(mut self, links: &[Link<'_>]) -> Self {
+        let value = |link: &Link<'_>| is_quantity(&link.left) && is_value(&link.right);
         self.doubtful |= !self.derived && links.iter().all(value);
         self
     }
@@ -90,8 +93,26 @@ fn is_quantity(node: &Node) -> bool {
     }
 }
 
+thread_local! {
+    /// The sentences that were heard last: lines are looked at several times.
+    static HEARD: RefCell<Recent<String, Purpose>> = RefCell::new(Recent::of(MOST_BYTES));
+}
+
+/// No more bytes of sentences are kept.
+const MOST_BYTES: usize = 1 << 16;
+
 /// What the words of a sentence so far make of the next formula: the last cue counts.
 pub(crate) fn purpose(sentence: &str) -> Purpose {
+    HEARD.with_borrow_mut(|heard| {
+        heard.get(sentence).unwrap_or_else(|| {
+            let purpose = told_by(sentence);
+            heard.insert(sentence.to_owned(), purpose, sentence.len());
+            purpose
+        })
+    })
+}
+
+fn told_by(sentence: &str) -> Purpose {
     let mut purpose = Purpose::default();
     if is_told_in_brackets(sentence) {
         return purpose;
@@ -133,7 +154,7 @@ impl Judge<'_> {
     /// knows which of the two holds.
     pub(super) fn assumed_definition(&self, line: &Line) -> Standing {
         let letter = line.sides.first().map(spelled);
-        let defined = |link: &Link| Some(spelled(&link.left)) == letter;
+        let defined = |link: &Link<'_>| Some(spelled(&link.left)) == letter;
         let mut before = self.again.defining.iter().flat_map(|(_, links)| links);
         match before.any(defined) {
             true => Standing::Open,

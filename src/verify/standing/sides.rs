@@ -36,7 +36,7 @@ pub(super) fn factors(side: &Node) -> Vec<String> {
 }
 
 /// Lowers both sides; a lone letter of which nothing is told takes its shape from the other side.
-pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link) -> Result<Both, Trouble> {
+pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link<'_>) -> Result<Both, Trouble> {
     let left = lowering.value(&link.left)?;
     let unknown_left = lowering.unknown.clone();
     let right = lowering.value(&link.right)?;

@@ -1,6 +1,6 @@
 //! A line that does not stand in the document, tried at a place of it.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::{Kind, Line, Node, Relation, Symbol};
 use crate::notation::document::Row;
 use crate::notation::reread;
@@ -119,13 +119,26 @@ impl Judge<'_> {
         self.facts.normal(atoms, value).ok()
     }
 
+    /// Whether values are multiplied without anything that is told of squares.
+    pub(crate) fn knows_no_square(&self) -> bool {
+        let atoms = &self.reading.system.atoms;
+        let mut all = 0..atoms.len() as Variable;
+        self.facts.has_no_squares() && all.all(|variable| atoms.atom(variable).square.is_none())
+    }
+
+    /// Whether a letter is worth the same on every line, and no line has told anything.
+    pub(crate) fn is_alike_everywhere(&self) -> bool {
+        self.again.recalled.is_some()
+    }
+
     fn all_follow(&mut self, line: &Line) -> bool {
-        let links = Chain::default().links(&without_number(line), &self.at);
+        let line = without_number(line);
+        let links = Chain::default().links(&line, &self.at);
         !links.is_empty() && links.iter().all(|link| self.follows(link))
     }
 
     /// Whether a link is entailed, all its letters are known, and it is not that both sides vanish.
-    fn follows(&mut self, link: &Link) -> bool {
+    fn follows(&mut self, link: &Link<'_>) -> bool {
         if !matches!(link.relation, Relation::Equal | Relation::Defined) {
             return false;
         }

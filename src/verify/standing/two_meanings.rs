@@ -16,7 +16,7 @@ type Place = (String, usize);
 
 impl Judge<'_> {
     /// Where letters mean two things, that is meant with which the types fit, if it is one.
-    pub(super) fn hold_by_types(&mut self, link: &Link) -> Held {
+    pub(super) fn hold_by_types(&mut self, link: &Link<'_>) -> Held {
         let doubled = self.doubled(link);
         let choices = (1..1usize << doubled.len().min(MOST_DOUBLED)).map(|choice| {
             let chosen = doubled.iter().enumerate();
@@ -47,7 +47,7 @@ impl Judge<'_> {
 
     /// Letters of which nothing is told are the axes of their names where a line follows by that. Where it does not, they
     /// may be something else; a line that is false of the axes is not taken for one that tells what they are.
-    pub(super) fn or_by_axes(&mut self, link: &Link, held: Held) -> Held {
+    pub(super) fn or_by_axes(&mut self, link: &Link<'_>, held: Held) -> Held {
         let open = matches!(
             held.standing,
             Standing::Open | Standing::Free | Standing::Settles
@@ -75,8 +75,8 @@ impl Judge<'_> {
     }
 
     /// The places on a link of letters that mean something besides, and of which no line says what they are.
-    pub(super) fn doubled(&self, link: &Link) -> Vec<Place> {
-        let symbols = symbols_of(&[&link.left, &link.right]);
+    pub(super) fn doubled(&self, link: &Link<'_>) -> Vec<Place> {
+        let symbols = symbols_of(&link.sides());
         let has = |(writing, _): &Place| {
             let letter = self.reading.letters.besides(writing, &self.at);
             letter.is_some_and(|letter| !self.known.shapes.contains_key(&letter.latex))

@@ -5,9 +5,11 @@ use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
+use crate::verify::term::written::Written;
 use foldhash::HashSet;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 /// A line without the number in brackets that plain text puts before it: `(2.4a) h_x = …`.
 pub(super) fn without_number(line: &Line) -> Cow<'_, Line> {
@@ -71,7 +73,7 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
 }
 
 /// The symbols that a document writes, spelled.
-pub(crate) fn written_symbols(document: &Document) -> BTreeSet<String> {
+pub(crate) fn written_symbols(document: &Document) -> Written {
     fn collect<'n>(
         node: &'n Node,
         seen: &mut HashSet<(&'n Symbol, bool)>,
@@ -108,7 +110,7 @@ pub(crate) fn written_symbols(document: &Document) -> BTreeSet<String> {
             }
         }
     }
-    found
+    Arc::new(found)
 }
 
 /// Up to where sums over each index run, by the letter that a document writes there most often; the first of those.

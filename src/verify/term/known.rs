@@ -1,7 +1,7 @@
 //! What was found out of the letters of a document so far, so that it is worked out once.
 
 use crate::algebra::Fraction;
-use crate::notation::ast::{Factor, Kind, Node, Operator, Shape as Tree, Symbol};
+use crate::notation::ast::{DerivativeStyle, Factor, Kind, Node, Operator, Shape as Tree, Symbol};
 use crate::recent::Recent;
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
@@ -30,6 +30,9 @@ struct KnownValue {
     by_written: bool,
 }
 
+/// The order of a rate, and how it is written.
+type Rated = (u8, DerivativeStyle);
+
 /// Values of products for many documents that begin with the same variables.
 #[derive(Clone, Debug)]
 struct Common {
@@ -45,10 +48,12 @@ pub(crate) struct Known {
     /// Shapes of letters that lines have settled.
     pub(crate) shapes: Map<String, Shape>,
     /// Values of letters that sentences tell of, by how they are printed: one may stand for several quantities.
-    values: HashMap<String, Vec<(Quantity, Valued)>>,
+    values: Arc<HashMap<String, Vec<(Quantity, Valued)>>>,
     /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
     /// axes they are.
     symbols: HashMap<Symbol, KnownValue>,
+    /// The same of the rates of such symbols that are scalars, by their orders and how they are written.
+    rates: HashMap<Symbol, Vec<(Rated, KnownValue)>>,
     /// The same of products of such symbols that are scalars, by their trees.
     products: HashMap<Vec<u8>, KnownValue>,
     common: Option<Common>,
@@ -73,7 +78,7 @@ impl Known {
     pub(super) fn enter(&mut self, dimensions: usize, letters: &Letters) {
         self.is_uniform = letters.is_uniform();
         if self.dimensions != dimensions {
-            self.values.clear();
+            self.values = Arc::default();
             self.forget_symbols();
             self.dimensions = dimensions;
         }
@@ -89,6 +94,7 @@ impl Known {
     /// Forgets the values of symbols, as by what a document writes they may mean something else.
     pub(crate) fn forget_symbols(&mut self) {
         self.symbols.clear();
+        self.rates.clear();
         self.products.clear();
         self.common = None;
     }
@@ -106,6 +112,10 @@ impl Known {
     pub(crate) fn forget_what_hangs_on_writing(&mut self) {
         self.symbols.retain(|_, known| !known.by_written);
         self.products.retain(|_, known| !known.by_written);
+        self.rates.retain(|_, rates| {
+            rates.retain(|(_, known)| !known.by_written);
+            !rates.is_empty()
+        });
     }
 
     /// Whether something is a number, or a symbol or its rate that was found to be a scalar.
@@ -139,7 +149,8 @@ impl Known {
     }
 
     pub(super) fn keep(&mut self, letter: &str, quantity: &Quantity, value: &Valued) {
-        let values = self.values.entry(letter.to_owned()).or_default();
+        let values = Arc::make_mut(&mut self.values);
+        let values = values.entry(letter.to_owned()).or_default();
         values.push((quantity.clone(), value.clone()));
     }
 }
@@ -175,6 +186,32 @@ impl Lowering<'_> {
         let (value, known) = self.by_itself(|own| own.new_symbol(symbol));
         if let Some(known) = known {
             self.known.symbols.insert(symbol.clone(), known);
+        }
+        value
+    }
+
+    /// The rate of a symbol, which is found so; one that is a scalar and the same on every line is worked out once.
+    pub(super) fn rate_of_symbol(
+        &mut self,
+        symbol: &Symbol,
+        rated: Rated,
+        find: impl FnOnce(&mut Self) -> Valued,
+    ) -> Valued {
+        if !self.means_the_same() {
+            return find(self);
+        }
+        let rates = self.known.rates.get(symbol).into_iter().flatten();
+        let known = rates.into_iter().find(|(own, _)| *own == rated);
+        if let Some((_, known)) = known {
+            let value = known.value.clone();
+            self.frames_seen.extend(&known.frames);
+            self.note(known.by_written);
+            return Ok(value);
+        }
+        let (value, known) = self.by_itself(find);
+        if let Some(known) = known.filter(|known| known.value.is_scalar()) {
+            let rates = self.known.rates.entry(symbol.clone()).or_default();
+            rates.push((rated, known));
         }
         value
     }

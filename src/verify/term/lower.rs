@@ -175,7 +175,13 @@ impl<'a> Lowering<'a> {
                 order,
                 style,
                 frame,
-            } => self.time_derivative(operand, *order, *style, frame.as_ref()),
+            } => match (&operand.kind, frame) {
+                (Kind::Symbol(symbol), None) => {
+                    let rate = |own: &mut Self| own.time_derivative(operand, *order, *style, None);
+                    self.rate_of_symbol(symbol, (*order, *style), rate)
+                }
+                _ => self.time_derivative(operand, *order, *style, frame.as_ref()),
+            },
             Kind::Derivative {
                 operand,
                 variables,

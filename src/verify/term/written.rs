@@ -1,13 +1,18 @@
 //! The symbols that a document writes.
 
+use crate::recent::Digest;
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// The symbols that a document writes, spelled. All who go through it share them.
+pub(crate) type Written = Arc<BTreeSet<String>>;
 
 /// The symbols that a document writes, spelled, and those of which it writes a rate. It keeps in mind what was asked: two
 /// documents that answer it alike are read alike.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct WrittenSymbols {
-    written: BTreeSet<String>,
+    written: Written,
     /// Those that a sentence writes in two ways.
     of_sentences: BTreeSet<String>,
     asked: RefCell<BTreeSet<String>>,
@@ -27,7 +32,7 @@ impl PartialEq for Times {
 }
 
 impl WrittenSymbols {
-    pub(crate) fn new(written: BTreeSet<String>) -> Self {
+    pub(crate) fn new(written: Written) -> Self {
         Self {
             written,
             ..Self::default()
@@ -59,12 +64,17 @@ impl WrittenSymbols {
     }
 
     /// Something is known by what was asked.
-    pub(super) fn note_asked(&self) {
+    pub(crate) fn note_asked(&self) {
         self.times.0.set(self.times.0.get() + 1);
     }
 
+    /// What the document writes, as it is looked for.
+    pub(crate) fn digest(&self) -> Digest {
+        Digest::of(&*self.written)
+    }
+
     /// The symbols of another document take the place of these.
-    pub(crate) fn replace(&mut self, other: BTreeSet<String>) {
+    pub(crate) fn replace(&mut self, other: Written) {
         self.written = other;
     }
 

@@ -1,0 +1,56 @@
+//! Short names of long things, so that little is kept of what is looked for.
+
+use std::hash::{BuildHasher, Hash, Hasher, RandomState};
+use std::sync::OnceLock;
+
+/// What a thing is looked for by: 128 bits, made with two keys that each run has of its own.
+///
+/// Two things have one digest with a probability of 2⁻¹²⁸, and who does not know the keys can't make two that do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Digest([u64; 2]);
+
+static KEYS: OnceLock<[RandomState; 2]> = OnceLock::new();
+
+impl Digest {
+    /// Of something whose hash takes in all of it.
+    pub(crate) fn of(thing: &(impl Hash + ?Sized)) -> Self {
+        let keys = KEYS.get_or_init(Default::default);
+        let mut all = Bytes(Vec::with_capacity(USUAL));
+        thing.hash(&mut all);
+        Self([0, 1].map(|half: usize| {
+            let mut hasher = keys[half].build_hasher();
+            hasher.write(&all.0);
+            hasher.finish()
+        }))
+    }
+}
+
+/// Most things have no more bytes.
+const USUAL: usize = 1_024;
+
+/// All that a thing says of itself, so that the keys meet it in one piece.
+struct Bytes(Vec<u8>);
+
+impl Hasher for Bytes {
+    fn write(&mut self, bytes: &[u8]) {
+        self.0.extend_from_slice(bytes);
+    }
+
+    fn finish(&self) -> u64 {
+        0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Digest;
+
+    #[test]
+    fn equal_things_have_one_digest_and_others_have_others() {
+        let of = |words: &[&str]| Digest::of(words);
+        assert_eq!(of(&["a", "b"]), of(&["a", "b"]));
+        assert_ne!(of(&["a", "b"]), of(&["ab", ""]));
+        let halves = of(&["a"]).0;
+        assert_ne!(halves[0], halves[1]);
+    }
+}
