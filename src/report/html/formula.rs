@@ -89,9 +89,12 @@ fn pieces(drawn: &str, parts: &[Part]) -> Vec<String> {
     pieces
 }
 
+/// Formulas by their LaTeX, and whether they stand apart, as they are drawn.
+type Drawn = Recent<(String, bool), Option<Arc<str>>>;
+
 thread_local! {
     /// The formulas that were drawn last: a class writes the same ones again and again.
-    static DRAWN: RefCell<Recent<(String, bool), Option<Arc<str>>>> = RefCell::new(Recent::of(MOST_BYTES));
+    static DRAWN: RefCell<Drawn> = RefCell::new(Recent::of(MOST_BYTES));
 }
 
 /// No more bytes of drawn formulas are kept, and no formula whose source is longer.

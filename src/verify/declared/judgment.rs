@@ -28,7 +28,6 @@ use crate::verify::term::value::Value;
 use crate::verify::term::written::Written;
 use crate::verify::verdict::{Counterexample, Diagnosis};
 use crate::verify::{Finding, Report, Role};
-use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Range;
@@ -188,10 +187,10 @@ struct Read {
 }
 
 /// The symbols that a document writes, which are known of the one that was handed in.
-fn symbols_of(document: &Cow<'_, Document>, written: &Written) -> Written {
-    match document {
-        Cow::Borrowed(_) => written.clone(),
-        Cow::Owned(document) => written_symbols(document),
+fn symbols_of(document: &Document, handed_in: &Document, written: &Written) -> Written {
+    match std::ptr::eq(document, handed_in) {
+        true => written.clone(),
+        false => written_symbols(document),
     }
 }
 
@@ -209,11 +208,11 @@ impl Shared {
     /// Judges every line of a document, and looks for what would put false ones right. The report leaves out what the
     /// sentences say, which is the same for all documents.
     pub(crate) fn check(&self, document: &Document, written: &Written) -> Report {
-        let document = with_rates(document, &self.declared.declarations);
-        let written = symbols_of(&document, written);
-        let mut judgments = self.judgments(&document, &written, &[]);
+        let read = with_rates(document, &self.declared.declarations);
+        let written = symbols_of(&read, document, written);
+        let mut judgments = self.judgments(&read, &written, &[]);
         judgments.iter_mut().for_each(Judgment::correct);
-        report(&document, &self.declared, &judgments, Residuals::LeftOut)
+        report(&read, &self.declared, &judgments, Residuals::LeftOut)
     }
 
     /// The same without looking for what would put false lines right, and with some lines taken as claimed.
@@ -223,10 +222,10 @@ impl Shared {
         written: &Written,
         claimed: &[&Finding],
     ) -> Report {
-        let document = with_rates(document, &self.declared.declarations);
-        let written = symbols_of(&document, written);
-        let judgments = self.judgments(&document, &written, claimed);
-        report(&document, &self.declared, &judgments, Residuals::LeftOut)
+        let read = with_rates(document, &self.declared.declarations);
+        let written = symbols_of(&read, document, written);
+        let judgments = self.judgments(&read, &written, claimed);
+        report(&read, &self.declared, &judgments, Residuals::LeftOut)
     }
 
     fn judgments<'d>(
