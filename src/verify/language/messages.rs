@@ -16,6 +16,9 @@ pub(crate) const EXTRA_INVERSE: &str = "an inverse too many";
 pub(crate) const EXTRA_TWO: &str = "a factor 2 too many";
 pub(crate) const EXTRA_HALF: &str = "a factor ½ too many";
 
+/// Why a relation to first order is open whose sides have no terms of first order.
+pub(crate) const SECOND_ORDER: &str = "both sides are of second order in what is small";
+
 pub(crate) const OTHER_INSTANTS: &str = "values at these instants";
 pub(crate) const NO_NUMBERS: &str = "no numbers were found in which it fails";
 pub(crate) const SQUARES_DIFFER: &str = "the squares of the sides differ";

@@ -8,7 +8,6 @@ use crate::verify::language::messages;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::indices::{assignments, by_entries, cyclic_assignments, free_letters};
 use crate::verify::standing::judge::Judge;
-use crate::verify::standing::second_order::SECOND_ORDER;
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::sides::{Both, both, factors};
 use crate::verify::standing::verdicts::Standing;
@@ -358,7 +357,7 @@ impl Judge<'_> {
         let alone = self.has_new_letter_alone(link, &unknown);
         let equal = residuals.iter().all(Zero::is_zero);
         if equal && self.differs_in_second_order(&sides, &small) {
-            return Held::open(SECOND_ORDER);
+            return Held::open(messages::SECOND_ORDER);
         }
         let atoms = &mut self.reading.system.atoms;
         let mut held = Held {

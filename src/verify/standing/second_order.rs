@@ -5,9 +5,6 @@ use crate::verify::facts::small::Small;
 use crate::verify::standing::judge::Judge;
 use num_traits::Zero;
 
-/// Why such a relation is not decided.
-pub(super) const SECOND_ORDER: &str = "both sides are of second order in what is small";
-
 impl Judge<'_> {
     /// Whether two sides that are equal to first order have no terms of first order, and differ in those of second order.
     pub(super) fn differs_in_second_order(
