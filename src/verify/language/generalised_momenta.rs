@@ -1,18 +1,12 @@
-//! Generalised momenta: the derivative of the Lagrangian in the rate of a coordinate, or of the kinetic energy where no letter
-//! of a Lagrangian is told.
+//! Generalised momenta: the derivative of the Lagrangian in the rate of a coordinate.
 
-use super::heads::KINETIC_ENERGY;
 use super::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
 use crate::notation::document::Row;
 
-/// Functions of coordinates and rates of which momenta are derivatives, the first that is told.
-const FUNCTIONS: [&str; 2] = ["Lagrangian", KINETIC_ENERGY];
-
 /// "`$p$` is the generalised momentum of `$q$`": it is the same as `$\partial L/\partial\dot q$`.
 pub(crate) fn tell_generalised_momenta(declarations: &mut [Declaration]) {
-    let functions = FUNCTIONS.map(|head| the_only_one(declarations, head));
-    let Some(function) = functions.into_iter().flatten().next() else {
+    let Some(function) = the_only_one(declarations, "Lagrangian") else {
         return;
     };
     for declaration in declarations {

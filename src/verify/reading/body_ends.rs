@@ -81,12 +81,29 @@ impl Builder<'_> {
         let chosen = self.axis_of_line(body) == Some((ALONG, false));
         let points = known.line.is_some_and(|line| !line.by_points) && self.is_rod(body);
         let held = |end: &String| self.hold_on(body, end) != Hold::Nothing;
-        // The axis of a cone goes from its apex to its base.
+        // The axis of a cone goes from its apex to its base, unless a sentence places one of its ends.
         let told = self.told_axis_of_shape(body).is_some();
-        let from_apex = told && self.is_cone(body);
+        let from_apex = told && self.is_cone(body) && !self.places_from_end(body);
         (1..=2).contains(&known.ends.len())
-            && (self.is_rod(body) && !told || self.is_cone(body))
+            && (self.is_rod(body) || self.is_cone(body))
+            && (!told || from_apex)
             && (chosen || from_apex || points && known.ends.first().is_some_and(held))
+    }
+
+    /// Whether a sentence says where something lies from an end of a body, or where an end lies.
+    fn places_from_end(&self, body: BodyId) -> bool {
+        let ends = &self.reading.system.bodies[body].ends;
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Does {
+                subjects,
+                verb: "lie" | "place",
+                slots,
+            } => {
+                let both = subjects.iter().chain(slot(slots, Slot::From));
+                both.filter_map(name_of).any(|name| ends.contains(&name))
+            }
+            _ => false,
+        })
     }
 
     /// Whether a noun is that of ends that the model knows.

@@ -45,9 +45,6 @@ const PARTICLE: &str = "particle";
 /// The size of what is round.
 pub(super) const RADIUS: &str = "radius";
 
-/// What is round about the axis about which it turns, its mass centre in the middle.
-const WHEELS: [&str; 4] = ["wheel", "roller", "drum", "pulley"];
-
 impl<'a> Builder<'a> {
     /// Whether a noun is that of a shape with sizes.
     pub(super) fn is_shape(&self, head: &str) -> bool {
@@ -302,22 +299,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// A wheel with a radius touches planes with its rim, about the axis about which it turns.
-    pub(super) fn round_wheel(&mut self, body: BodyId, declaration: &Declaration) -> Option<()> {
-        let whole = &self.reading.system.bodies[body];
-        let wheel = whole.name.split(' ').any(|word| WHEELS.contains(&word));
-        if !wheel || whole.round.is_some() {
-            return None;
-        }
-        let axis = self.axle_of(body)?;
-        let radius = self.said_size(body, RADIUS)?;
-        let radius = self.size_by_letter(&radius, declaration)?;
-        self.reading.system.bodies[body].round = Some(Round::Rim { radius, axis });
-        Some(())
-    }
-
     /// The axis of its frame about which a body turns, where it turns in no other way.
-    fn axle_of(&self, body: BodyId) -> Option<usize> {
+    pub(super) fn axle_of(&self, body: BodyId) -> Option<usize> {
         let frame = self.reading.system.bodies[body].frame?;
         self.reading.system.frames[frame].turn.axis()
     }

@@ -275,6 +275,8 @@ $$ K = J + m\,(d^T d\,E - d\,d^T) $$
 $$ K = J + m\,\tilde d\,\tilde d $$
 ";
     assert_eq!(verdicts(sentences, text).0, "ppr");
+    let placed = [sentences, "G lies at the distance $l$ from O along $-z$.\n"].concat();
+    assert_eq!(verdicts(&placed, "$$ l=\\frac34h $$").0, "u");
 }
 
 #[test]
@@ -305,4 +307,6 @@ $$ p=I\sin^2b\,\dot a+K(\dot a\cos b+\dot c)\cos b $$
 $$ p=I\sin^2b\,\dot a+K(\dot a\cos b+\dot c) $$
 ";
     assert_eq!(verdicts(sentences, text).0, "ppr");
+    let placed = [sentences, "G lies at the distance $l$ from O along $-z$.\n"].concat();
+    assert_eq!(verdicts(&placed, "$$ l=\\frac34h $$").0, "u");
 }

@@ -150,3 +150,28 @@ $$ s^2 b = \frac{4g\sin^2\beta}{1+5\sin^2\beta} $$
 ";
     assert_eq!(judged(sentences, text), "rprrpr");
 }
+
+#[test]
+fn a_wheel_with_a_radius_rolls_unless_its_mass_centre_is_aside() {
+    let sentences = r"
+N is an inertial frame.
+$i, j, k$ are the axes of N.
+j is the upward vertical.
+The floor is a horizontal plane fixed in N.
+The wheel moves in the plane of i and j.
+B is a frame fixed in the wheel.
+$a, b, k$ are the axes of B.
+The wheel turns relative to N about $-k$ by the angle $\phi$.
+G is the mass centre of the wheel.
+P is the point where the wheel touches the floor.
+The wheel rolls on the floor at P without slipping.
+$r$ is the radius of the wheel.
+$v$ is the velocity of G relative to N.
+";
+    let text = r"
+$$ v = r\dot\phi\, i $$
+";
+    assert_eq!(judged(sentences, text), "p");
+    let aside = "C is a point fixed in the wheel.\nG lies at the distance $e$ from C along a.\n";
+    assert_eq!(judged(&[sentences, aside].concat(), text), "u");
+}
