@@ -1,8 +1,8 @@
 //! Generalised momenta: the derivative of the Lagrangian in the rate of a coordinate.
 
+use super::clause::as_formula;
 use super::statement::{Declaration, Formula, Slot, Statement, Term};
 use crate::notation::ast::{DerivativeStyle, Kind, Node};
-use crate::notation::document::Row;
 
 /// "`$p$` is the generalised momentum of `$q$`": it is the same as `$\partial L/\partial\dot q$`.
 pub(crate) fn tell_generalised_momenta(declarations: &mut [Declaration]) {
@@ -19,7 +19,8 @@ pub(crate) fn tell_generalised_momenta(declarations: &mut [Declaration]) {
         if !momenta || !plain {
             continue;
         }
-        let derivatives = coordinates.into_iter().map(|q| derivative(&function, q));
+        let coordinates = coordinates.into_iter().map(as_formula);
+        let derivatives = coordinates.map(|q| derivative(&function, q.as_ref()?));
         if let Some(others) = derivatives.collect() {
             declaration.statement = Statement::Same {
                 subjects: subjects.clone(),
@@ -37,12 +38,12 @@ fn the_only_one(declarations: &[Declaration], head: &str) -> Option<Node> {
     });
     let mut letters = letters.flatten();
     let only = letters.next().filter(|_| letters.next().is_none())?;
-    tree(only).cloned()
+    as_formula(only)?.node().cloned()
 }
 
 /// `\partial L/\partial\dot q`
-fn derivative(function: &Node, coordinate: &Term) -> Option<Term> {
-    let coordinate = tree(coordinate)?;
+fn derivative(function: &Node, coordinate: &Formula) -> Option<Term> {
+    let coordinate = coordinate.node()?;
     let span = coordinate.span;
     let rate = Kind::TimeDerivative {
         operand: Box::new(coordinate.clone()),
@@ -56,14 +57,4 @@ fn derivative(function: &Node, coordinate: &Term) -> Option<Term> {
         partial: true,
     };
     Some(Term::Formula(Formula::of(&Node { kind, span })))
-}
-
-fn tree(term: &Term) -> Option<&Node> {
-    match term {
-        Term::Formula(Formula {
-            row: Row::Expression(node),
-            ..
-        }) => Some(node),
-        _ => None,
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::heads::{CONSTANT, CONTACT_POINT, UNIT_VECTOR, VERTICAL};
 use super::kinds::name;
-use super::planar_axes::axis;
+use super::planar_axes::{axes_of, axis};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -118,7 +118,7 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
     };
     let (_, upright) = slots.iter().find(|(slot, _)| *slot == Slot::About)?;
     is_upward(upright, declarations).then_some(())?;
-    let axes = axes_of(frame, declarations)?;
+    let axes = axes_of(frame, declarations).filter(|axes| axes.len() == 3)?;
     let number = |term: &Term| {
         let called = name(term)?;
         let at = axes
@@ -176,17 +176,6 @@ fn is_upward(direction: &Term, declarations: &[Declaration]) -> bool {
             vertical && what.is("upward") && subjects.contains(direction)
         }
         _ => false,
-    })
-}
-
-/// The names of the axes of a frame.
-fn axes_of<'d>(frame: &Term, declarations: &'d [Declaration]) -> Option<&'d [Term]> {
-    declarations.iter().find_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "axes" => {
-            let own = what.slot(Slot::Of) == Some(frame) && subjects.len() == 3;
-            own.then_some(subjects.as_slice())
-        }
-        _ => None,
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::heads::{MASS_CENTRE, UNIT_VECTOR};
 use super::kinds::name;
+use super::planar_axes::axes_of;
 use super::reader::formula;
 use super::statement::{Declaration, Slot, Statement, Term};
 use super::turned_lines::{Direction, direction};
@@ -143,12 +144,7 @@ fn turns_across(rod: &Term, start: &Direction, angle: &str, declarations: &[Decl
 impl Direction {
     /// The name of the axis, or of its opposite.
     fn name(&self, declarations: &[Declaration]) -> Option<String> {
-        let axes = declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == "axes" => {
-                (what.slot(Slot::Of) == Some(&self.frame)).then_some(subjects)
-            }
-            _ => None,
-        })?;
+        let axes = axes_of(&self.frame, declarations)?;
         let axis = name(axes.get(self.number - 1)?)?;
         Some(match self.reversed {
             true => format!("-{axis}"),

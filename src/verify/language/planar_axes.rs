@@ -1,6 +1,6 @@
 //! The axes of what moves in a plane, and how far one point is from another in it.
 
-use super::statement::{NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// The axis that is vertical where the angle is zero, from 1.
 pub(super) const UPRIGHT: usize = 3;
@@ -15,6 +15,16 @@ pub(super) fn axis(number: usize, of: Option<&Term>) -> Term {
     let of = of.map(|of| (Slot::Of, of.clone()));
     let slots = std::iter::once(which).chain(of).collect();
     Term::Phrase(Box::new(NounPhrase::new("axis", slots)))
+}
+
+/// The names of the axes of a frame.
+pub(super) fn axes_of<'d>(frame: &Term, declarations: &'d [Declaration]) -> Option<&'d [Term]> {
+    declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "axes" => {
+            (what.slot(Slot::Of) == Some(frame)).then_some(subjects.as_slice())
+        }
+        _ => None,
+    })
 }
 
 /// Whether a statement tells where one point is from another.

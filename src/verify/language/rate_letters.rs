@@ -1,7 +1,7 @@
 //! A letter for the rate: "`$D$` is the rate". Lines that write it so are read as if they had dots.
 
 use super::statement::{
-    Declaration, Extent, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+    Declaration, Extent, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
@@ -48,7 +48,7 @@ pub(crate) fn rate_letter(declaration: &Declaration) -> Option<Symbol> {
         return None;
     };
     let whole = declaration.extent == Extent::Document && rate.head == "rate";
-    let node = tree(written).filter(|_| whole)?;
+    let node = written.node().filter(|_| whole)?;
     match (&node.kind, of(rate)) {
         (Kind::Symbol(letter), Some(None)) => Some(letter.clone()),
         (Kind::Product(factors), Some(Some(operand))) => match factors.as_slice() {
@@ -69,7 +69,7 @@ pub(super) fn repeats_a_rate(declaration: &Declaration, letters: &[Symbol]) -> b
     };
     let rates = what.slots.iter();
     let mut rates = rates.filter(|(slot, term)| *slot == Slot::Of && term.is_noun("rate"));
-    let order = tree(written).and_then(|node| order(node, letters));
+    let order = written.node().and_then(|node| order(node, letters));
     order == Some(2) && what.slots.len() == 1 && rates.next().is_some()
 }
 
@@ -79,15 +79,8 @@ fn of(rate: &NounPhrase) -> Option<Option<&Node>> {
         [] => Some(None),
         [(Slot::Of, Term::Formula(operand)), any @ ..] => {
             let for_any = any.iter().all(|(slot, _)| *slot == Slot::ForAny);
-            for_any.then(|| tree(operand).map(Some)).flatten()
+            for_any.then(|| operand.node().map(Some)).flatten()
         }
-        _ => None,
-    }
-}
-
-fn tree(formula: &Formula) -> Option<&Node> {
-    match &formula.row {
-        Row::Expression(node) => Some(node),
         _ => None,
     }
 }

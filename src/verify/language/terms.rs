@@ -35,6 +35,11 @@ impl Statement {
         }
     }
 
+    /// What is said to lie or to be placed somewhere, and where.
+    pub(crate) fn places(&self) -> Option<Doing<'_>> {
+        self.does("lie").or_else(|| self.does("place"))
+    }
+
     /// "G is the middle of the rod": what one thing is.
     pub(crate) fn one_is(subject: Term, what: NounPhrase) -> Self {
         let subjects = vec![subject];
@@ -239,6 +244,14 @@ impl NounPhrase {
 }
 
 impl Formula {
+    /// Its tree, if it is an expression.
+    pub(crate) fn node(&self) -> Option<&Node> {
+        match &self.row {
+            Row::Expression(node) => Some(node),
+            _ => None,
+        }
+    }
+
     /// A formula that stands inside another one.
     pub(crate) fn of(node: &Node) -> Self {
         Self {

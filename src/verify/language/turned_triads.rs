@@ -1,7 +1,7 @@
 //! Frames that share an axis, told by the angle between two others of their axes: they turn about the shared one by it.
 
 use super::kinds::name;
-use super::planar_axes::axis;
+use super::planar_axes::{axes_of, axis};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::turned_lines::{direction, sense};
@@ -72,13 +72,7 @@ fn turned(
 
 /// The name of an axis of a frame, by its number from 1.
 fn axis_called(frame: &Term, number: usize, declarations: &[Declaration]) -> Option<String> {
-    declarations.iter().find_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "axes" => {
-            let own = what.slot(Slot::Of) == Some(frame);
-            own.then(|| name(subjects.get(number - 1)?)).flatten()
-        }
-        _ => None,
-    })
+    name(axes_of(frame, declarations)?.get(number - 1)?)
 }
 
 /// The sentence by which two vectors are one.

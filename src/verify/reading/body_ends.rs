@@ -93,16 +93,13 @@ impl Builder<'_> {
     /// Whether a sentence says where something lies from an end of a body, or where an end lies.
     fn places_from_end(&self, body: BodyId) -> bool {
         let ends = &self.reading.system.bodies[body].ends;
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Does {
-                subjects,
-                verb: "lie" | "place",
-                slots,
-            } => {
-                let both = subjects.iter().chain(slot(slots, Slot::From));
-                both.filter_map(name_of).any(|name| ends.contains(&name))
-            }
-            _ => false,
+        let mut placings = self
+            .declarations
+            .iter()
+            .filter_map(|d| d.statement.places());
+        placings.any(|(subjects, slots)| {
+            let both = subjects.iter().chain(slot(slots, Slot::From));
+            both.filter_map(name_of).any(|name| ends.contains(&name))
         })
     }
 
@@ -159,17 +156,12 @@ impl Builder<'_> {
     /// Whether sentences place both ends of a uniform rod, between which its mass centre is.
     pub(super) fn has_placed_ends(&self, body: BodyId) -> bool {
         let placed = |end: &String| {
-            self.declarations.iter().any(|d| match &d.statement {
-                Statement::Does {
-                    subjects,
-                    verb: "lie" | "place",
-                    slots,
-                } => {
+            self.declarations.iter().any(|d| {
+                let whole = reach_of(&d.extent) == Reach::All;
+                d.statement.places().is_some_and(|(subjects, slots)| {
                     let own = subjects.iter().any(|s| name_of(s).as_ref() == Some(end));
-                    let whole = reach_of(&d.extent) == Reach::All;
                     own && whole && slot(slots, Slot::From).is_some()
-                }
-                _ => false,
+                })
             })
         };
         let ends = &self.reading.system.bodies[body].ends;

@@ -130,10 +130,7 @@ pub(crate) fn opposite(term: &Term) -> Option<Term> {
 
 /// The expression that a formula is, if it is one.
 pub(crate) fn node_of(formula: &Formula) -> Option<&Node> {
-    match &formula.row {
-        Row::Expression(node) => Some(node),
-        _ => None,
-    }
+    formula.node()
 }
 
 /// The tree of a formula, or those of its sides.

@@ -1,6 +1,6 @@
 //! Where wheels touch planes of which no shape is told.
 
-use crate::verify::language::statement::{Declaration, Slot, Statement, slot};
+use crate::verify::language::statement::{Declaration, Slot, slot};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, FrameId};
 use crate::verify::reading::builder::Builder;
@@ -38,17 +38,14 @@ impl Builder<'_> {
             let fixed = |f: &FrameId| Some(*f) == frame;
             !centre(name) && all.any(|p| p.name == *name && p.fixed_in.iter().any(fixed))
         };
-        self.declarations.iter().any(|d| match &d.statement {
-            Statement::Does {
-                subjects,
-                verb: "lie" | "place",
-                slots,
-            } => {
-                let ends = subjects.iter().chain(slot(slots, Slot::From));
-                let ends: Vec<String> = ends.filter_map(name_of).collect();
-                ends.iter().any(centre) && ends.iter().any(other)
-            }
-            _ => false,
+        let mut placings = self
+            .declarations
+            .iter()
+            .filter_map(|d| d.statement.places());
+        placings.any(|(subjects, slots)| {
+            let ends = subjects.iter().chain(slot(slots, Slot::From));
+            let ends: Vec<String> = ends.filter_map(name_of).collect();
+            ends.iter().any(centre) && ends.iter().any(other)
         })
     }
 }

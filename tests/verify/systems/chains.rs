@@ -202,9 +202,8 @@ G lies at the distance $d$ from K along y.
     assert_ne!(judged(sentences, r"$$ d = \frac{4R}{3\pi} $$"), "r");
 }
 
-#[test]
-fn letters_of_one_link_are_told_for_the_next_one() {
-    let sentences = r"
+/// The frames of a chain of links, and the letters of any of them.
+const LINKS: &str = r"
 $i$ numbers the links.
 Frame $i$ is a frame fixed in link $i$.
 Frame 0 is an inertial frame.
@@ -214,6 +213,11 @@ $\omega_i$ is the angular velocity of frame $i$ relative to frame 0.
 $v_i$ is the velocity of the origin of frame $i$ relative to frame 0.
 ${}^{i}P_{i+1}$ is the position of the origin of frame $i+1$ from the origin of frame $i$ in components on frame $i$.
 $\hat{Z}_i$ is the third axis of frame $i$.
+";
+
+#[test]
+fn letters_of_one_link_are_told_for_the_next_one() {
+    let sentences = r"
 On lines 1 to 5 frame $i+1$ turns relative to frame $i$ about $\hat{Z}_{i+1}$ at the rate $\dot q_{i+1}$.
 On lines 1 to 5 the origin of frame $i+1$ is fixed in frame $i$.
 On lines 6 to 8 frame $i+1$ does not turn relative to frame $i$.
@@ -228,21 +232,12 @@ $$ {}^{i+1}\omega_{i+1} = {}^{i+1}_{i}R\;{}^{i}\omega_i $$
 $$ {}^{i+1}v_{i+1} = {}^{i+1}_{i}R\left({}^{i}v_i + {}^{i}\omega_i \times {}^{i}P_{i+1}\right) + \dot{d}_{i+1}\;{}^{i+1}\hat{Z}_{i+1} $$
 $$ {}^{i+1}v_{i+1} = {}^{i+1}_{i}R\left({}^{i}v_i + {}^{i}\omega_i \times {}^{i}P_{i+1}\right) $$
 ";
-    assert_eq!(judged(sentences, text), "prprppr");
+    assert_eq!(judged(&[LINKS, sentences].concat(), text), "prprppr");
 }
 
 #[test]
 fn letters_of_a_chain_are_told_for_the_links_with_numbers() {
     let sentences = r"
-$i$ numbers the links.
-Frame $i$ is a frame fixed in link $i$.
-Frame 0 is an inertial frame.
-A frame at the upper left means components on that frame.
-${}^{j}_{k}R$ takes components on frame $k$ to components on frame $j$, for any frames $j$ and $k$.
-$\omega_i$ is the angular velocity of frame $i$ relative to frame 0.
-$v_i$ is the velocity of the origin of frame $i$ relative to frame 0.
-${}^{i}P_{i+1}$ is the position of the origin of frame $i+1$ from the origin of frame $i$ in components on frame $i$.
-$\hat{Z}_i$ is the third axis of frame $i$.
 From line 1 on frame 1 turns relative to frame 0 about $\hat{Z}_1$ by the angle $a$.
 From line 1 on frame 2 turns relative to frame 1 about $\hat{Z}_2$ by the angle $b$.
 From line 1 on the axes of frame 3 are parallel to the axes of frame 2.
@@ -258,5 +253,5 @@ $$ {}^{2}v_2 = \begin{bmatrix} l\dot a\sin b \\ l\dot a\cos b \\ 0 \end{bmatrix}
 $$ {}^{3}v_3 = \begin{bmatrix} l\dot a\sin b \\ l\dot a\cos b + h(\dot a + \dot b) \\ 0 \end{bmatrix} $$
 $$ {}^{3}v_3 = \begin{bmatrix} h\dot a\sin b \\ l\dot a\cos b + h(\dot a + \dot b) \\ 0 \end{bmatrix} $$
 ";
-    assert_eq!(judged(sentences, text), "prppr");
+    assert_eq!(judged(&[LINKS, sentences].concat(), text), "prppr");
 }
