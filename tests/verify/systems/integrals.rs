@@ -178,3 +178,21 @@ $$ v = w\times r $$
 ";
     assert_eq!(judged(sentences, text), "rp");
 }
+
+#[test]
+fn any_element_of_a_body_is_fixed_in_it() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+O is a point fixed in B.
+p is the place of an element of the body.
+$r$ is the position of p from O.
+$w$ is the angular velocity of B relative to N.
+$v$ is the rate of $r$ seen from N.
+";
+    let text = r"
+$$ v = w\times r $$
+$$ v = r\times w $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
