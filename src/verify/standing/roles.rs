@@ -8,7 +8,8 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::term::letters::spelled;
+use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::quantity::Quantity;
 use std::cell::RefCell;
 
 /// What stands in a sentence for a relation.
@@ -150,16 +151,28 @@ fn told_by(sentence: &str) -> Purpose {
 }
 
 impl Judge<'_> {
-    /// How a line stands that does not hold but is declared a definition: of a letter that another line has defined nobody
-    /// knows which of the two holds.
-    pub(super) fn assumed_definition(&self, line: &Line) -> Standing {
+    /// How a line stands that does not hold but is declared a definition: of a letter that another line has defined, or of
+    /// which a sentence says what it is, nobody knows which of the two holds.
+    pub(super) fn assumed_definition(&self, line: &Line, held: &Held) -> Standing {
         let letter = line.sides.first().map(spelled);
         let defined = |link: &Link<'_>| Some(spelled(&link.left)) == letter;
         let mut before = self.again.defining.iter().flat_map(|(_, links)| links);
-        match before.any(defined) {
+        let told =
+            held.standing == Standing::Denied && held.unknown.is_empty() && self.is_left_told(line);
+        match told || before.any(defined) {
             true => Standing::Open,
             false => Standing::Free,
         }
+    }
+
+    /// Whether a sentence says what quantity the left side of a line is.
+    fn is_left_told(&self, line: &Line) -> bool {
+        let letters = &self.reading.letters;
+        let found = line
+            .sides
+            .first()
+            .and_then(|left| letters.find(&spelled(left), &loosely(left), &self.at, 0));
+        found.is_some_and(|letter| matches!(&letter.meaning, Meaning::Quantity(quantity) if !matches!(quantity, Quantity::Scalar { .. } | Quantity::Vector { .. })))
     }
 
     /// Whether what a link settles is said to be defined by another line.
