@@ -1,6 +1,6 @@
-//! Sums of letters, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
+//! Sums of letters, planes of symmetry, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
 
-use super::heads::{CONTACT_POINT, POTENTIAL_ENERGY};
+use super::heads::{CONTACT_POINT, PLANE_OF_SYMMETRY, POTENTIAL_ENERGY};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
@@ -11,6 +11,8 @@ pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) 
     for declaration in declarations.iter_mut() {
         if let Some(sum) = sum_of_letters(&declaration.statement, macros) {
             declaration.statement = sum;
+        } else if let Some(turned) = plane_first(&declaration.statement) {
+            declaration.statement = turned;
         }
     }
     say_besides(declarations, |statement| {
@@ -45,6 +47,20 @@ fn sum_of_letters(statement: &Statement, macros: &Macros) -> Option<Statement> {
         .then(|| formula(&equation, false, macros))
         .flatten()
         .map(Statement::Holds)
+}
+
+/// "The plane of symmetry of the aircraft is the plane of x and z": that plane is one of symmetry.
+fn plane_first(statement: &Statement) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    match (subjects.as_slice(), what.head) {
+        ([Term::Phrase(of_symmetry)], "plane") if of_symmetry.head == PLANE_OF_SYMMETRY => {
+            let plane = Term::Phrase(Box::new(what.clone()));
+            Some(Statement::one_is(plane, (**of_symmetry).clone()))
+        }
+        _ => None,
+    }
 }
 
 /// "P moves along the table relative to N with the speed `$v$`": v is its speed.

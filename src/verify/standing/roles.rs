@@ -1,6 +1,7 @@
 //! What a line is for, by the words that lead into it.
 
 use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::print::latex;
 use crate::recent::Recent;
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues, denies_assumption};
@@ -165,14 +166,20 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether a sentence says what quantity the left side of a line is.
+    /// Whether the left side of a line is the letter that it is said to define, and a sentence says what quantity that is.
     fn is_left_told(&self, line: &Line) -> bool {
+        let Some(left) = line.sides.first() else {
+            return false;
+        };
         let letters = &self.reading.letters;
-        let found = line
-            .sides
-            .first()
-            .and_then(|left| letters.find(&spelled(left), &loosely(left), &self.at, 0));
-        found.is_some_and(|letter| matches!(&letter.meaning, Meaning::Quantity(quantity) if !matches!(quantity, Quantity::Scalar { .. } | Quantity::Vector { .. })))
+        let found = letters.find(&spelled(left), &loosely(left), &self.at, 0);
+        let own = |quantity: &Quantity| {
+            matches!(quantity, Quantity::Scalar { .. } | Quantity::Vector { .. })
+        };
+        let told = found.is_some_and(
+            |letter| matches!(&letter.meaning, Meaning::Quantity(quantity) if !own(quantity)),
+        );
+        told && self.reading.is_defined_at(&latex(left), &self.at)
     }
 
     /// Whether what a link settles is said to be defined by another line.
