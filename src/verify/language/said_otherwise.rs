@@ -1,6 +1,7 @@
 //! Sums of letters, planes of symmetry, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
 
 use super::heads::{CONTACT_POINT, PLANE_OF_SYMMETRY, POTENTIAL_ENERGY};
+use super::is_quantity;
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
@@ -11,6 +12,8 @@ pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) 
     for declaration in declarations.iter_mut() {
         if let Some(sum) = sum_of_letters(&declaration.statement, macros) {
             declaration.statement = sum;
+        } else if let Some(quantity) = vector_of(&declaration.statement) {
+            declaration.statement = quantity;
         } else if let Some(turned) = plane_first(&declaration.statement) {
             declaration.statement = turned;
         }
@@ -47,6 +50,24 @@ fn sum_of_letters(statement: &Statement, macros: &Macros) -> Option<Statement> {
         .then(|| formula(&equation, false, macros))
         .flatten()
         .map(Statement::Holds)
+}
+
+/// "`$g$` is the vector of the acceleration of gravity on N": it is that acceleration.
+fn vector_of(statement: &Statement) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let [(Slot::Of, Term::Phrase(quantity)), others @ ..] = what.slots.as_slice() else {
+        return None;
+    };
+    let plain = what.head == "vector" && what.adjectives.is_empty();
+    (plain && is_quantity(quantity.head)).then(|| Statement::Is {
+        subjects: subjects.clone(),
+        what: NounPhrase {
+            slots: [quantity.slots.as_slice(), others].concat(),
+            ..(**quantity).clone()
+        },
+    })
 }
 
 /// "The plane of symmetry of the aircraft is the plane of x and z": that plane is one of symmetry.
