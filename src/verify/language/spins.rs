@@ -1,17 +1,53 @@
 //! Bodies that turn about their axes of symmetry, where a sentence says in what the axis is fixed and none how the body turns.
 
-use super::heads::{EULER_ANGLES, MASS_CENTRE, UNIT_VECTOR};
+use super::heads::{AXES, EULER_ANGLES, MASS_CENTRE, UNIT_VECTOR};
 use super::kinds::name;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use super::terms::say_besides;
 
 /// "`$n$` is fixed in A. The disc is symmetric about `$n$`": the disc turns relative to A about n.
 pub(crate) fn turn_about_axes_of_symmetry(declarations: &mut Vec<Declaration>) {
+    tell_axes_of_shapes(declarations);
     tell_axes_through_points(declarations);
     let spins: Vec<Declaration> = declarations
         .iter()
         .filter_map(|declaration| spin(declaration, declarations))
         .collect();
     declarations.extend(spins);
+}
+
+/// "The wheel is a thin disc with its axis along y": it is symmetric about y.
+fn tell_axes_of_shapes(declarations: &mut Vec<Declaration>) {
+    say_besides(declarations, |statement| {
+        let Statement::Is { subjects, what } = statement else {
+            return vec![];
+        };
+        let [body] = subjects.as_slice() else {
+            return vec![];
+        };
+        let axis = |said: &(Slot, Term)| match said {
+            (Slot::With, Term::Phrase(axis)) if AXES.contains(&axis.head) => {
+                let of_body = axis.slot(Slot::Of).is_none_or(|of| of == body);
+                let plain = axis
+                    .slots
+                    .iter()
+                    .all(|(slot, _)| matches!(slot, Slot::Of | Slot::Along));
+                axis.slot(Slot::Along).filter(|_| of_body && plain).cloned()
+            }
+            _ => None,
+        };
+        let Some((at, along)) = what
+            .slots
+            .iter()
+            .enumerate()
+            .find_map(|(at, said)| Some((at, axis(said)?)))
+        else {
+            return vec![];
+        };
+        what.slots.remove(at);
+        let symmetric = NounPhrase::new("symmetric", vec![(Slot::About, along)]);
+        vec![Statement::one_is(body.clone(), symmetric)]
+    });
 }
 
 /// "The axis of the disc passes through O", where n is the unit vector from there to its mass centre: the disc is symmetric
@@ -62,17 +98,23 @@ fn spin(declaration: &Declaration, all: &[Declaration]) -> Option<Declaration> {
     let Statement::Is { subjects, what } = &declaration.statement else {
         return None;
     };
-    let ([body], "symmetric", Extent::Document) =
-        (subjects.as_slice(), what.head, &declaration.extent)
-    else {
+    let ([subject], Extent::Document) = (subjects.as_slice(), &declaration.extent) else {
         return None;
     };
-    let axis = what.slot(Slot::About)?;
+    let (body, axis) = match (what.head, what.slots.as_slice()) {
+        ("symmetric", _) => (subject, what.slot(Slot::About)?),
+        ("axis", [(Slot::Of, body)]) => (body, subject),
+        _ => return None,
+    };
     let own: Vec<&Term> = all.iter().flat_map(|d| frames_of(body, d)).collect();
     let of_body = |term: &Term| term == body || own.contains(&term);
     let carrier = told(all).find_map(|(vectors, what)| {
-        let fixed = matches!(what.head, UNIT_VECTOR | "fixed") && vectors.contains(axis);
-        what.slot(Slot::FixedIn).filter(|_| fixed)
+        let carrier = match what.head {
+            UNIT_VECTOR | "fixed" => what.slot(Slot::FixedIn),
+            "axes" => what.slot(Slot::Of),
+            _ => None,
+        };
+        carrier.filter(|_| vectors.contains(axis))
     })?;
     let turned = |d: &Declaration| tells_turn(d, &of_body);
     if of_body(carrier) || name(carrier).is_none() || all.iter().any(turned) {

@@ -264,19 +264,12 @@ fn label_of_rate(written: &str) -> Option<String> {
     if is_rate_of_deltas(written) {
         return Some(DELTA.to_owned());
     }
-    let applied = format!("{written} q");
-    match node_in(&read_formula(&applied, 0, &Macros::default()))?
-        .kind
-        .clone()
-    {
-        Kind::TimeDerivative { frame, .. } => frame.map(|label| plain(&label.text)),
+    let frame = |text: &str| match read_formula(text, 0, &Macros::default()).as_slice() {
+        [Row::Expression(node)] => match &node.kind {
+            Kind::TimeDerivative { frame, .. } => frame.as_ref().map(|label| plain(&label.text)),
+            _ => None,
+        },
         _ => None,
-    }
-}
-
-fn node_in(rows: &[Row]) -> Option<&Node> {
-    match rows {
-        [Row::Expression(node)] => Some(node),
-        _ => None,
-    }
+    };
+    frame(written).or_else(|| frame(&format!("{written} q")))
 }

@@ -166,3 +166,21 @@ $$ \frac{d \omega}{dt} = \frac{\delta \omega}{\delta t} $$
 ";
     assert_eq!(judged(sentences, text), "pp");
 }
+
+#[test]
+fn a_label_behind_the_rate_of_one_vector_is_that_of_all() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\omega$ is the angular velocity of B relative to N.
+$H$ is the angular momentum of the body about G relative to N.
+$\frac{d}{dt}$ is the rate seen from N.
+$\frac{d H}{dt}_{rotating}$ is the rate of $H$ seen from B.
+";
+    let text = r"
+$$ \frac{d H}{dt} = \frac{d H}{dt}_{rotating} + \omega\times H $$
+$$ \frac{d H}{dt} = \frac{d H}{dt}_{rotating} $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}

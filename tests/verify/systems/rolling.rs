@@ -213,3 +213,31 @@ $$ u = r w\times z $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn a_wheel_with_its_axis_along_one_of_space_turns_about_that() {
+    let text = r"
+$$ v = R w\times e_3 $$
+$$ v\cdot e_2 = 0 $$
+$$ v\cdot e_1 = 0 $$
+";
+    for said in [
+        "The wheel is a uniform thin disc of mass $m$ and radius $R$ with its axis along y.",
+        "The wheel is a uniform thin disc of mass $m$ and radius $R$. The axis of the wheel is along y.",
+        "The wheel is a uniform thin disc of mass $m$ and radius $R$. y is the axis of the wheel.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+x, y, z are the axes of N.
+$e_1, e_2, e_3$ are the unit vectors along x, y, z.
+z is the upward vertical.
+The floor is a horizontal plane fixed in N.
+G is the mass centre of the wheel.
+$v$ is the velocity of G relative to N.
+$w$ is the angular velocity of the wheel relative to N.
+The wheel rolls on the floor at Q without slipping.
+{said}"
+        );
+        assert_eq!(judged(&sentences, text), "ppr", "{said}");
+    }
+}
