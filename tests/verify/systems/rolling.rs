@@ -223,8 +223,8 @@ $$ v\cdot e_1 = 0 $$
 ";
     for said in [
         "The wheel is a uniform thin disc of mass $m$ and radius $R$ with its axis along y.",
-        "The wheel is a uniform thin disc of mass $m$ and radius $R$. The axis of the wheel is along y.",
-        "The wheel is a uniform thin disc of mass $m$ and radius $R$. y is the axis of the wheel.",
+        "The wheel is a uniform thin disc of mass $m$ and radius $R$.\nThe axis of the wheel is along y.",
+        "The wheel is a uniform thin disc of mass $m$ and radius $R$.\ny is the axis of the wheel.",
     ] {
         let sentences = format!(
             r"N is an inertial frame.
