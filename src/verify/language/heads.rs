@@ -117,6 +117,9 @@ pub(crate) const COLUMN_OF_VECTORS: &str = "column of vectors";
 /// What such a column may hold.
 pub(crate) const ROWS_OF_MATRIX: &str = "rows of a matrix";
 
+/// The adverb of what is left out.
+pub(crate) const EXCEPT: &str = "except";
+
 /// What a column of vectors is by custom.
 pub(crate) const LIST: &str = "a list";
 

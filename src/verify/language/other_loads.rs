@@ -1,11 +1,8 @@
 //! "No other moment acts on the ball": none but those that sentences tell.
 
-use super::heads::MOMENT;
+use super::heads::{EXCEPT, MOMENT};
 use super::is_load;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-
-/// The adverb of what is left out.
-const EXCEPT: &str = "except";
 
 /// Says which moments are meant, where sentences tell letters or formulas of moments on the same body, and no force on it.
 pub(super) fn tell_other_moments(declarations: &mut [Declaration]) {

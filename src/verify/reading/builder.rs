@@ -191,6 +191,9 @@ impl Builder<'_> {
             let told = place.entries.iter().flat_map(Fraction::variables);
             self.system().atoms.set_placed(told);
         }
+        if self.denotes_opposite(node, &meaning, &reach, declaration) {
+            return;
+        }
         if let Kind::Matrix(rows) = &node.kind
             && let [row] = rows.as_slice()
             && let [inner] = row.as_slice()

@@ -16,6 +16,10 @@ impl Builder<'_> {
         };
         let worked = |f: &Factor| matches!(f.node.kind, Kind::Number(_) | Kind::Function(..));
         match &node.kind {
+            // "`$-X$` is the velocity of P": so X is told.
+            Kind::Negate(inner) if matches!(inner.kind, Kind::Symbol(_)) => {
+                self.is_told_by_itself(&Formula::of(inner), declaration)
+            }
             Kind::Number(_)
             | Kind::Negate(_)
             | Kind::Sum(_)

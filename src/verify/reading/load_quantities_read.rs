@@ -6,7 +6,7 @@ use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::loads_outside::opposite_load;
+use crate::verify::reading::loads_outside::opposite;
 use crate::verify::reading::loads_read::{FORCES, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::only_moments_read::each_moment;
@@ -28,7 +28,7 @@ impl Builder<'_> {
         }
         if self.acts_outside(phrase) {
             let reversed = self.reversed(phrase)?;
-            return self.force(&reversed).map(opposite_load);
+            return self.force(&reversed).map(opposite);
         }
         if let Some(at) = phrase.slot(Slot::At) {
             return self.point(at).and_then(|at| self.force_at(at));
@@ -102,7 +102,7 @@ impl Builder<'_> {
         }
         if self.acts_outside(phrase) {
             let reversed = self.reversed(phrase)?;
-            return self.moment(&reversed, declaration).map(opposite_load);
+            return self.moment(&reversed, declaration).map(opposite);
         }
         if is_one_of_several(phrase) {
             return None;

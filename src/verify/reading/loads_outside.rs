@@ -1,8 +1,9 @@
 //! Loads between a body of the system and something of which no sentence tells more: the air, a motor, the base. What the body
 //! does to it is the opposite of what it does to the body.
 
+use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::{CONTACT_FORCE, FORCE, MOMENT};
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::whole;
 use crate::verify::model::loads::Lasting;
 use crate::verify::model::system::{BodyId, PointId, Vector};
@@ -11,11 +12,27 @@ use crate::verify::reading::load_quantities_read::is_load;
 use crate::verify::reading::loads_read::{Acting, is_force_at};
 use crate::verify::reading::named_loads_read::noun_of;
 use crate::verify::reading::names::is_marked_vector;
-use crate::verify::term::letters::Meaning;
+use crate::verify::term::letters::{Meaning, Reach};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
+    /// "`$-X$` is the velocity of P": X is the opposite of it, if the writing is one of that kind.
+    pub(super) fn denotes_opposite(
+        &mut self,
+        node: &Node,
+        meaning: &Meaning,
+        reach: &Reach,
+        declaration: &Declaration,
+    ) -> bool {
+        let (Kind::Negate(inner), Meaning::Quantity(quantity)) = (&node.kind, meaning) else {
+            return false;
+        };
+        let turned = Meaning::Quantity(opposite(quantity.clone()));
+        self.denote_within(&Formula::of(inner), turned, reach.clone(), declaration);
+        true
+    }
+
     /// What acts on a body from outside: "the force of the air on the aircraft", where no sentence tells what the air is, or
     /// "the force of the rod on the particle".
     pub(super) fn agent_outside(&self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<String> {
@@ -154,7 +171,7 @@ impl Builder<'_> {
     }
 }
 
-/// The load that is as large and points the other way.
-pub(super) fn opposite_load(load: Quantity) -> Quantity {
+/// What is as large and points the other way.
+pub(super) fn opposite(load: Quantity) -> Quantity {
     Quantity::Scaled(load.boxed(), whole(-1))
 }

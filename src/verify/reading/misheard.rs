@@ -3,7 +3,7 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::adjectives::has_plain_adjectives;
 use crate::verify::language::heads::{
-    DOWNHILL, KEEPS_DIRECTION, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, POSITIVE_ABOUT,
+    DOWNHILL, EXCEPT, KEEPS_DIRECTION, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, POSITIVE_ABOUT,
     POSITIVE_TOWARDS, TOWARDS, TOWARDS_GROWING, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING,
     WEIGHT,
 };
@@ -115,7 +115,8 @@ fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
     let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
     let counted = what.head != "angle" && has_sense(what);
     let per_unit = what.head != MASS && is_per_unit(what);
-    with || together || opposite || counted || per_unit || has_reversed(&what.slots)
+    let less = only_names(what.head) && what.all(Slot::With).any(|how| how.is_noun(EXCEPT));
+    with || less || together || opposite || counted || per_unit || has_reversed(&what.slots)
 }
 
 /// Whether something is done in a way that makes another thing of it.

@@ -332,3 +332,44 @@ $M$ is the moment on the body about G.
         );
     }
 }
+
+#[test]
+fn the_opposite_of_a_quantity_may_be_what_a_sentence_tells() {
+    let text = r"
+$$ X = -v $$
+$$ X = v $$
+";
+    for said in [
+        "$-X$ is the velocity of P relative to N.",
+        "$X$ is minus the velocity of P relative to N.",
+        "$X$ is the negative of the velocity of P relative to N.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+$v$ is the velocity of P relative to N.
+{said}"
+        );
+        assert_eq!(judged(&sentences, text), "pr", "{said}");
+    }
+}
+
+#[test]
+fn a_quantity_with_a_word_that_is_not_worked_with_tells_nothing() {
+    let text = r"
+$$ X = w $$
+";
+    for said in [
+        "$X$ is the own angular velocity of the disc.",
+        "$X$ is the angular velocity of the disc except the sign.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+x, y, z are the axes of N.
+A turns relative to N about z at the rate $\Omega$.
+The disc turns relative to A about x at the rate $p$.
+$w$ is the angular velocity of the disc relative to N.
+{said}"
+        );
+        assert_eq!(judged(&sentences, text), "u", "{said}");
+    }
+}
