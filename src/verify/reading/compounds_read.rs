@@ -18,7 +18,7 @@ impl Builder<'_> {
         match &node.kind {
             // "`$-X$` is the velocity of P": so X is told.
             Kind::Negate(inner) if matches!(inner.kind, Kind::Symbol(_)) => {
-                self.is_told_by_itself(&Formula::of(inner), declaration)
+                self.quantity_of(&Formula::of(inner), declaration).is_some()
             }
             Kind::Number(_)
             | Kind::Negate(_)

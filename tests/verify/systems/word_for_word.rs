@@ -1,6 +1,6 @@
 //! Small words that turn what a sentence says: adjectives, "or", "not", "its", a second thing in a list.
 
-use super::verdicts;
+use super::{judged, verdicts};
 
 /// Sentences behind "N is an inertial frame", formulas, and the verdicts that these get, whether the sentences are understood
 /// or not.
