@@ -3,6 +3,7 @@
 use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::reading::names::name_of;
+use std::collections::BTreeMap;
 
 /// What a direction is said to be: of one thing one of them holds.
 const SIDES: [&str; 2] = ["upward", "downward"];
@@ -15,33 +16,52 @@ const ROUND: [&str; 6] = ["disc", "ring", "rod", "cylinder", "tube", "cone"];
 
 /// The sentences, those that contradict another one as such that were not understood.
 pub(super) fn unless_contradictory(declarations: Vec<Declaration>) -> Vec<Declaration> {
-    let verticals: Vec<(String, &str)> = declarations.iter().filter_map(vertical).collect();
+    let others = contradicted(&declarations);
+    let all = declarations.into_iter().zip(others);
+    all.map(|(declaration, other)| match other {
+        Some(_) => declaration.not_understood(),
+        None => declaration,
+    })
+    .collect()
+}
+
+/// The sentences that contradict another one, each with that one.
+pub(super) fn contradictions(declarations: &[Declaration]) -> BTreeMap<String, String> {
+    let others = contradicted(declarations);
+    let all = declarations.iter().zip(others);
+    let pairs = all.filter_map(|(declaration, other)| {
+        let other = declarations[other?].sentence().to_owned();
+        Some((declaration.sentence().to_owned(), other))
+    });
+    pairs.collect()
+}
+
+/// For each sentence the place of the first other one that it contradicts.
+fn contradicted(declarations: &[Declaration]) -> Vec<Option<usize>> {
+    let verticals: Vec<_> = declarations.iter().map(vertical).collect();
     let turned = |one: &(String, &str)| {
-        let mut all = verticals.iter();
-        all.any(|other| match other.0 == one.0 {
+        let says_otherwise = |other: &(String, &str)| match other.0 == one.0 {
             true => other.1 != one.1,
-            false => are_axes_of_one(&declarations, [&one.0, &other.0]),
-        })
+            false => are_axes_of_one(declarations, [&one.0, &other.0]),
+        };
+        let mut all = verticals.iter();
+        all.position(|other| other.as_ref().is_some_and(says_otherwise))
     };
     let told: Vec<Told<'_>> = declarations.iter().map(Told::of).collect();
-    let telling: Vec<&Told<'_>> = told.iter().filter(|told| told.tells()).collect();
+    let telling: Vec<usize> = (0..told.len()).filter(|&at| told[at].tells()).collect();
     let denies = |one: &Told<'_>, other: &Told<'_>| {
         places_otherwise(one, other)
             || turns_otherwise(one, other)
             || measures_otherwise(one, other)
-            || has_other_axis(one, other, &declarations)
+            || has_other_axis(one, other, declarations)
     };
-    let denied = |one: &Told<'_>| one.tells() && telling.iter().any(|other| denies(one, other));
-    let contradictory = declarations.iter().zip(&told);
-    let contradictory: Vec<bool> = contradictory
-        .map(|(d, told)| vertical(d).is_some_and(|one| turned(&one)) || denied(told))
-        .collect();
-    let all = declarations.into_iter().zip(contradictory);
-    all.map(|(declaration, contradictory)| match contradictory {
-        true => declaration.not_understood(),
-        false => declaration,
-    })
-    .collect()
+    let denied = |one: &Told<'_>| {
+        let mut others = telling.iter().copied();
+        others.find(|&other| one.tells() && denies(one, &told[other]))
+    };
+    let each = verticals.iter().zip(&told);
+    each.map(|(vertical, told)| vertical.as_ref().and_then(turned).or_else(|| denied(told)))
+        .collect()
 }
 
 /// What is said to be vertical, and which way it points.

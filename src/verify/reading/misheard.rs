@@ -11,7 +11,7 @@ use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::language::{is_body, is_load, only_names};
-use crate::verify::reading::contradictory::unless_contradictory;
+use crate::verify::reading::contradictory::{contradictions, unless_contradictory};
 use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::densities_read::is_per_unit;
 use crate::verify::reading::instants_read::instant_of;
@@ -19,6 +19,7 @@ use crate::verify::reading::listed_frames::of_each_frame;
 use crate::verify::reading::makeup_read::if_spread_unevenly;
 use crate::verify::reading::names::node_of;
 use crate::verify::reading::values_told::with_zero_said;
+use std::collections::BTreeMap;
 
 /// Verbs of motions, whose adverbs say how.
 const MOTIONS: [&str; 4] = ["turn", "roll", "swing", "precess"];
@@ -35,11 +36,15 @@ const SENSES: [&str; 5] = [
 /// Directions that a letter is said to be.
 const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
 
-/// The sentences, and one that was not understood in the place of each that tells nothing.
-pub(super) fn heard(declarations: Vec<Declaration>) -> Vec<Declaration> {
+/// The sentences, and one that was not understood in the place of each that tells nothing; and those among them that
+/// contradict another one, each with that one.
+pub(super) fn heard(
+    declarations: Vec<Declaration>,
+) -> (Vec<Declaration>, BTreeMap<String, String>) {
+    let contradictions = contradictions(&declarations);
     let listed = of_each_frame(unless_contradictory(declarations));
-    let all = listed.into_iter();
-    all.map(with_zero_said).map(heard_or_unread).collect()
+    let all = listed.into_iter().map(with_zero_said);
+    (all.map(heard_or_unread).collect(), contradictions)
 }
 
 /// The sentence, or one that was not understood in its place.
