@@ -203,6 +203,12 @@ impl Builder<'_> {
                 let at = Spot::Member(family, index.clone());
                 (force, at)
             }
+            // All that acts on a particle acts where that is.
+            Quantity::Force(Whole::Body(body))
+                if self.reading.system.bodies[body].frame.is_none() =>
+            {
+                (force, Spot::Point(self.centre_of(body)))
+            }
             _ => {
                 let (at, vector) = self.acting_there(letter)?;
                 let force = Quantity::Known(Value::vector(&vector, Basis::Itself));

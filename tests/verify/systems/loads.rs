@@ -238,3 +238,20 @@ $$ \dot{\vec H}=0 $$
     let got = verdicts(sentences, text).0;
     assert!(!got[1..].contains('p'), "{got}");
 }
+
+#[test]
+fn all_that_acts_on_a_particle_acts_where_it_is() {
+    let sentences = r"
+N is an inertial frame.
+P is a particle of mass $m$.
+O is a point fixed in N.
+$F$ is the total force on P.
+$M$ is the moment of $F$ about O.
+$r$ is the position of P from O.
+";
+    let text = r"
+$$ M = r\times F $$
+$$ M = F\times r $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
