@@ -57,6 +57,7 @@ mod in_turn;
 mod inclinations;
 mod inclined_frames;
 mod introduce;
+mod joined_formulas;
 mod kept;
 mod kinds;
 mod laid_by_angles;
