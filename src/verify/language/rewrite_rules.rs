@@ -94,7 +94,7 @@ pub(super) fn rule(line: &str) -> Option<Rule> {
         return None;
     }
     let before = line.strip_prefix('!');
-    let line = before.unwrap_or(line);
+    let line = before.unwrap_or(line).trim_start();
     let inside = line.strip_prefix('~');
     let (pattern, plain) = inside.unwrap_or(line).split_once("=>")?;
     let pieces = |text: &str| -> Vec<Piece> { text.split_whitespace().map(piece).collect() };
