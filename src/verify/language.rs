@@ -52,6 +52,7 @@ mod gyration;
 mod hanging;
 pub(crate) mod heads;
 mod hinges;
+mod hung_rods;
 mod implied;
 mod in_lists;
 mod in_turn;

@@ -17,6 +17,7 @@ use super::flat_bodies::turn_in_own_planes;
 use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
+use super::hung_rods::{lay_hung_rods, name_rod_lines};
 use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kinds::{
@@ -193,7 +194,9 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     tell_hinges(declarations);
     name_ends(declarations);
     lay_by_angles(declarations, macros);
+    lay_hung_rods(declarations, macros);
     begin_rods(declarations, macros);
+    name_rod_lines(declarations);
     name_placed_centres(declarations);
 }
 
