@@ -12,6 +12,7 @@
 //! about all of it. English stands nowhere else.
 
 mod absences;
+mod across_planes;
 mod acting;
 pub(crate) mod adjectives;
 mod anaphora;
@@ -82,6 +83,7 @@ mod on_lines;
 mod on_rings;
 mod one_thing;
 mod origins;
+mod oscillations;
 mod other_components;
 mod other_loads;
 mod own_notation;
