@@ -29,6 +29,7 @@ pub(super) fn lay_hung_rods(declarations: &mut Vec<Declaration>, macros: &Macros
                 declarations.remove(at);
                 // Where it begins says which end that is.
                 declarations.retain(|d| !is_only_end(&d.statement, &rod, &slots));
+                place_other_ends(&rod, &slots, declarations);
                 for declaration in declarations.iter_mut() {
                     if let Some(what) = shape_of(&rod, &mut declaration.statement) {
                         what.slots.extend(slots.clone());
@@ -211,13 +212,7 @@ fn line_of_rod(line: &Term, all: &[Declaration]) -> Option<Term> {
     };
     let way = told.filter(|way| way.slots.len() == 2)?;
     let (from, to) = (way.slot(Slot::From)?, way.slot(Slot::To)?);
-    let fixed = all.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => {
-            what.slot(Slot::FixedIn).is_some() && subjects.contains(from)
-        }
-        _ => false,
-    });
-    let rod = rod_between(from, to, all).filter(|_| fixed)?;
+    let rod = rod_between(from, to, all).filter(|_| is_fixed(from, all))?;
     let is_long = all.iter().any(|d| match &d.statement {
         Statement::Is { subjects, what } => what.head == "rod" && subjects.contains(&rod),
         _ => false,
@@ -296,17 +291,60 @@ fn turns_about(rod: &Term, about: &Term, zero: &Formula, all: &[Declaration]) ->
     })
 }
 
-/// The one point that is said to be an end of the rod, where it does not hang from another.
+/// The one point that is said to be an end of the rod, or the one of two that is fixed.
 fn only_end(rod: &Term, all: &[Declaration]) -> Option<Term> {
-    let mut ends = all.iter().filter_map(|d| match &d.statement {
+    let told = all.iter().flat_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "end" => {
-            (what.slot(Slot::Of) == Some(rod)).then_some(subjects)
+            let own = what.slot(Slot::Of) == Some(rod);
+            subjects.iter().filter(move |_| own).collect()
         }
+        _ => vec![],
+    });
+    let ends: Vec<&Term> = told.collect();
+    let mut fixed = ends.iter().filter(|end| is_fixed(end, all));
+    match (ends.as_slice(), fixed.next(), fixed.next()) {
+        ([end], _, _) => Some((*end).clone()),
+        ([_, _], Some(end), None) => Some((*end).clone()),
+        _ => None,
+    }
+}
+
+/// Whether a sentence says that a point is fixed in something.
+fn is_fixed(point: &Term, all: &[Declaration]) -> bool {
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            what.slot(Slot::FixedIn).is_some() && subjects.contains(point)
+        }
+        _ => false,
+    })
+}
+
+/// "O and A are the ends of the rod": A lies as far from O along it as it is long.
+fn place_other_ends(rod: &Term, slots: &[(Slot, Term)], declarations: &mut [Declaration]) {
+    let (Some(from), Some(along)) = (slot(slots, Slot::From), slot(slots, Slot::Along)) else {
+        return;
+    };
+    let length = declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { what, .. } if is_rod(rod, &d.statement) => what.size("length").cloned(),
         _ => None,
     });
-    match (ends.next()?.as_slice(), ends.next()) {
-        ([end], None) => Some(end.clone()),
-        _ => None,
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let ends = what.head == "end" && what.slot(Slot::Of) == Some(rod);
+        let other: Vec<Term> = subjects.iter().filter(|s| *s != from).cloned().collect();
+        if let (true, 1, Some(length)) = (ends, other.len(), &length) {
+            declaration.statement = Statement::Does {
+                subjects: other,
+                verb: "lie",
+                slots: vec![
+                    (Slot::At, length.clone()),
+                    (Slot::From, from.clone()),
+                    (Slot::Along, along.clone()),
+                ],
+            };
+        }
     }
 }
 
