@@ -90,6 +90,9 @@ fn about(unused: &Unused) -> (String, String) {
         Some(Wants::Alone(other)) => {
             format!("another sentence tells of the same letter: \"{other}\"; leave one of them out, or say how the two go together")
         }
+        Some(Wants::Heading(title)) => format!(
+            "no heading of the document reads \"{title}\": put the text of a heading between the quotation marks"
+        ),
         Some(Wants::Direction(shape)) => format!(
             "say the sizes of the {shape}, and along which axis of its frame it lies: \"$z$ is the axis of the {shape}.\""
         ),

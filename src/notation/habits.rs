@@ -1,8 +1,9 @@
 //! What a document shows as a whole of how its author writes: decimal commas, letters above that are labels, `δ/δt`.
 
-use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node, Symbol};
+use crate::notation::ast::{DerivativeStyle, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::parse::COMMA_BETWEEN_DIGITS;
+use crate::notation::parse::derivative::{DELTA, turning};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether a document parts decimals by a comma: it writes `2{,}5`, or `2,5` in several places, and nowhere `2.5`.
@@ -159,19 +160,13 @@ fn varied(node: &Node) -> Option<&Symbol> {
     }
 }
 
-/// The letter above the line of `\frac{\delta L}{\delta t}`, written with small deltas.
-fn quotient_of_variations<'n>(node: &'n Node, source: &str) -> Option<&'n Symbol> {
-    let Kind::Quotient(above, below) = &node.kind else {
-        return None;
-    };
-    let written = source.get(node.span.range()).unwrap_or("");
-    let small = !written.contains("\\Delta") && !written.contains('Δ');
-    let above = varied(above)?;
-    (small && varied(below)?.name == "t").then_some(above)
+/// Whether a rate is written with δ: `\frac{\delta L}{\delta t}`.
+fn is_rate_of_deltas(node: &Node) -> bool {
+    matches!(&node.kind, Kind::TimeDerivative { frame: Some(label), .. } if label.text == DELTA)
 }
 
-/// `\frac{\delta L}{\delta t}` is a rate where neither `\delta L` nor `\delta t` stands alone; beside `\frac{dL}{dt}` it is
-/// the rate on axes that turn.
+/// `\frac{\delta L}{\delta t}` is a rate where no `\delta L` stands alone; beside `\frac{dL}{dt}` it is the rate on axes that
+/// turn.
 pub(super) fn rates_in_deltas(document: &mut Document) {
     let source = &document.source.text;
     if !source.contains("delta") && !source.contains('δ') {
@@ -180,7 +175,7 @@ pub(super) fn rates_in_deltas(document: &mut Document) {
     let (mut rates, mut variations, mut total) = (0, 0, false);
     for side in sides(document) {
         each(side, &mut |node| {
-            rates += usize::from(quotient_of_variations(node, source).is_some());
+            rates += usize::from(is_rate_of_deltas(node));
             variations += usize::from(varied(node).is_some());
             total |= matches!(
                 &node.kind,
@@ -192,44 +187,33 @@ pub(super) fn rates_in_deltas(document: &mut Document) {
             );
         });
     }
-    if rates == 0 || variations != 2 * rates {
+    if rates == 0 || variations > 0 {
         return;
     }
     for side in sides_mut(&mut document.items) {
-        turn_to_rates(side, source, total);
+        label_rates_of_deltas(side, total);
     }
 }
 
-fn turn_to_rates(node: &mut Node, source: &str, total: bool) {
+fn label_rates_of_deltas(node: &mut Node, total: bool) {
     for child in node.children_mut() {
-        turn_to_rates(child, source, total);
+        label_rates_of_deltas(child, total);
     }
-    if let Some(symbol) = quotient_of_variations(node, source) {
-        let span = node.span;
-        let turning = FrameLabel {
-            text: "'".into(),
-            span,
-        };
-        let frame = (total && symbol.subscripts.is_empty()).then_some(turning);
-        let symbol = Symbol {
-            variation: false,
-            ..symbol.clone()
-        };
-        let operand = Node {
-            kind: Kind::Symbol(symbol),
-            span,
-        };
-        node.kind = Kind::TimeDerivative {
-            operand: Box::new(operand),
-            order: 1,
-            style: DerivativeStyle::Leibniz,
-            frame,
-        };
-    } else if let Kind::InFrame(inner, label) = &mut node.kind
-        && let Kind::Group(_, rate) = &mut inner.kind
-        && let Kind::TimeDerivative { frame, .. } = &mut rate.kind
-    {
-        *frame = Some(label.clone());
-        node.kind = rate.kind.clone();
+    let of_deltas = is_rate_of_deltas(node);
+    match &mut node.kind {
+        Kind::TimeDerivative { operand, frame, .. } if of_deltas => {
+            let component =
+                matches!(&operand.kind, Kind::Symbol(symbol) if !symbol.subscripts.is_empty());
+            *frame = (total && !component).then(|| turning(node.span));
+        }
+        Kind::InFrame(inner, label) => {
+            if let Kind::Group(_, rate) = &mut inner.kind
+                && let Kind::TimeDerivative { frame, .. } = &mut rate.kind
+            {
+                *frame = Some(label.clone());
+                node.kind = rate.kind.clone();
+            }
+        }
+        _ => {}
     }
 }

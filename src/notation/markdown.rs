@@ -75,6 +75,18 @@ fn unquoted<'a>(text: &'a str, region: &Region) -> Cow<'a, str> {
     Cow::Owned(out)
 }
 
+/// The level of a heading between signs, as wikis write them: `== Quaternions ==`.
+fn level_between_signs(paragraph: &str) -> Option<u8> {
+    let line = paragraph.trim();
+    let rest = line.trim_start_matches('=');
+    let level = line.len() - rest.len();
+    let text = rest.trim_end_matches('=');
+    let closed = rest.len() - text.len() == level && !line.contains('\n');
+    let words = text.starts_with(' ') && text.ends_with(' ') && !text.contains(['=', '$']);
+    let level = u8::try_from(level).ok()?;
+    (closed && words && (1..=6).contains(&level)).then_some(level)
+}
+
 struct Reader<'a> {
     offset: usize,
     text: &'a str,
@@ -97,7 +109,14 @@ impl Reader<'_> {
                 self.formulas_before(range.start);
                 self.heading = Some((level as u8, String::new(), range.start));
             }
+            Event::Start(Tag::Paragraph)
+                if let Some(level) = self.text.get(range.clone()).and_then(level_between_signs) =>
+            {
+                self.formulas_before(range.start);
+                self.heading = Some((level, String::new(), range.start));
+            }
             Event::End(TagEnd::Heading(_)) => self.end_heading(range),
+            Event::End(TagEnd::Paragraph) if self.heading.is_some() => self.end_heading(range),
             Event::Start(Tag::CodeBlock(_)) => self.code += 1,
             Event::End(TagEnd::CodeBlock) => {
                 self.code = self.code.saturating_sub(1);
@@ -229,7 +248,7 @@ impl Reader<'_> {
             let span = self.span(&range);
             self.items.push(Item::Heading {
                 level,
-                text: text.trim().to_owned(),
+                text: text.trim().trim_matches('=').trim().to_owned(),
                 span,
             });
         }

@@ -7,7 +7,7 @@ mod arrows;
 mod bracket;
 mod call;
 mod columns;
-mod derivative;
+pub(super) mod derivative;
 mod environment;
 mod factor;
 mod frame_label;

@@ -9,6 +9,7 @@ use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::facts::proof::uses;
 use crate::verify::language::rate_letters::with_rates;
 use crate::verify::language::statement::{Declaration, Statement};
+use crate::verify::language::wants::Wants;
 use crate::verify::reading::names::are_products;
 use crate::verify::reason;
 use crate::verify::standing::judge::Judged;
@@ -90,7 +91,7 @@ fn report(
         passed,
         variables: vec![],
         meaning: vec![],
-        unused: unused(judgments),
+        unused: [under_no_heading(document, declared), unused(judgments)].concat(),
     }
 }
 
@@ -132,6 +133,28 @@ fn unused(judgments: &[Judgment<'_>]) -> Vec<Unused> {
         }
     }
     found
+}
+
+/// Sentences about sections that the document does not have.
+fn under_no_heading(document: &Document, declared: &Declared) -> Vec<Unused> {
+    let headings = document.items.iter().filter_map(|item| match item {
+        Item::Heading { text, .. } => Some(text.trim()),
+        _ => None,
+    });
+    let headings: HashSet<&str> = headings.collect();
+    let each = declared.declarations.iter();
+    let missing = each.filter_map(|said| {
+        let title = said
+            .extent
+            .section()
+            .filter(|t| !headings.contains(t.trim()))?;
+        Some(Unused {
+            sentence: said.sentence().to_owned(),
+            beyond: false,
+            wants: Some(Wants::Heading(title.to_owned())),
+        })
+    });
+    missing.collect()
 }
 
 /// The convention for products of inertia, and whether a sentence says it.

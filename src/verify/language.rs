@@ -32,6 +32,7 @@ mod clause;
 mod components_along;
 mod compound_names;
 mod constancy;
+mod coordinates;
 mod corresponding;
 mod counted;
 pub(crate) mod cues;

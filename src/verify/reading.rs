@@ -60,6 +60,7 @@ pub(crate) mod no_loads_read;
 pub(crate) mod notation_read;
 mod numbered_axes;
 pub(crate) mod only_loads_read;
+pub(crate) mod only_moments_read;
 pub(crate) mod operators_read;
 pub(crate) mod order;
 pub(crate) mod orders_read;
@@ -287,6 +288,13 @@ impl Reading {
         let defines = |line: &&LineRole| line.defines.as_deref() == Some(letter);
         let mut own = self.roles.iter().filter(defines).peekable();
         own.peek().is_some() && !own.any(|line| line.reach.covers(at, 0))
+    }
+
+    /// Whether a sentence says that lines at this place define a letter.
+    pub(crate) fn is_defined_at(&self, letter: &str, at: &At) -> bool {
+        let own = |line: &LineRole| line.reach.covers(at, 0);
+        let mut all = self.roles.iter();
+        all.any(|line| line.defines.as_deref() == Some(letter) && own(line))
     }
 
     /// For which part of the document a line holds that was accepted at a place. What is assumed tells nothing of what

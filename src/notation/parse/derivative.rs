@@ -8,8 +8,9 @@ use super::letter::is_mark;
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::notation::plain_words;
 use crate::notation::token::{Lexeme, Token};
+pub(in crate::notation) use differential::{DELTA, turning};
 use differential::{Differential, above, script, total, total_mark, trim};
-pub(super) use differential::{mark, order, turning};
+pub(super) use differential::{mark, order};
 
 /// `(dt^B)^2`: what stands in the brackets, and how often.
 fn raised_group<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<(&'t [Token<'a>], usize)> {

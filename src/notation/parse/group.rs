@@ -17,6 +17,7 @@ pub(super) fn ungrouped<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
     if !tokens.iter().any(grouping) {
         return tokens.to_vec();
     }
+    let tokens = &without_bold_lines(tokens);
     let mut scan = Scan::new(tokens);
     for i in 0..tokens.len() {
         scan.token(i);
@@ -282,6 +283,34 @@ fn bold_operator<'a>(tokens: &[Token<'a>]) -> Option<(Token<'a>, usize)> {
     }
     let span = first.span.to(tokens[at + usize::from(grouped)].span);
     Some((Token { span, ..*operator }, at + 1 + usize::from(grouped)))
+}
+
+/// The tokens without the commands and braces that make whole lines bold.
+fn without_bold_lines<'a>(tokens: &[Token<'a>]) -> Vec<Token<'a>> {
+    let (mut kept, mut from) = (vec![true; tokens.len()], 0);
+    while from < tokens.len() {
+        let at = from;
+        from += 1;
+        if let Some(close) = bold_line(tokens, at) {
+            [at, at + 1, close]
+                .into_iter()
+                .for_each(|end| kept[end] = false);
+            from = close;
+        }
+    }
+    let kept = tokens.iter().zip(kept).filter(|(_, kept)| *kept);
+    kept.map(|(token, _)| *token).collect()
+}
+
+/// `\mathbf{a = b}`: where the bold line ends that begins at a place.
+fn bold_line(tokens: &[Token<'_>], at: usize) -> Option<usize> {
+    let bold = matches!(tokens[at].kind, Lexeme::Command(name) if is_bold(name));
+    if !bold || tokens.get(at + 1)?.kind != Lexeme::Open {
+        return None;
+    }
+    let close = super::closing(tokens, at + 1);
+    let inside = tokens.get(at + 2..close)?;
+    Some(close).filter(|_| !super::line::relations(inside).is_empty())
 }
 
 /// Whether tokens are scripts that stand on nothing: `^N`, `^{N}_{B}`.

@@ -16,6 +16,8 @@ pub(super) fn tell_absences(declarations: &mut [Declaration]) {
                 subjects: things,
                 what: NounPhrase::new(without, vec![]),
             };
+        } else if let Some(zero) = no_component(&declaration.statement) {
+            declaration.statement = zero;
         }
     }
 }
@@ -47,6 +49,28 @@ fn without(statement: &Statement) -> Option<(Vec<Term>, &'static str)> {
         }
         _ => None,
     }
+}
+
+/// "The force at P has no component along y": that component of it is zero.
+fn no_component(statement: &Statement) -> Option<Statement> {
+    let (subjects, slots) = statement.does("have")?;
+    let [(_, Term::Phrase(absent))] = slots else {
+        return None;
+    };
+    let along = |said: &(Slot, Term)| matches!(said.0, Slot::Along | Slot::On | Slot::Which);
+    let plain = absent.head == "component" && absent.adjectives == ["no"];
+    if !plain || absent.slots.is_empty() || !absent.slots.iter().all(along) {
+        return None;
+    }
+    let component = |of: &Term| {
+        let of = std::iter::once((Slot::Of, of.clone()));
+        let slots = of.chain(absent.slots.iter().cloned()).collect();
+        Term::Phrase(Box::new(NounPhrase::new("component", slots)))
+    };
+    Some(Statement::Is {
+        subjects: subjects.iter().map(component).collect(),
+        what: NounPhrase::new("zero", vec![]),
+    })
 }
 
 /// "No moment acts on the rotor along p and along q": none along p, and none along q.

@@ -44,9 +44,10 @@ const BEFORE: [&str; 27] = [
 ];
 
 /// Words by which two bodies of one kind are told apart: they are parts of their names.
-pub(super) const APART: [&str; 20] = [
+pub(super) const APART: [&str; 23] = [
     "upper", "lower", "inner", "outer", "front", "rear", "back", "left", "right", "top", "bottom",
-    "middle", "driving", "driven", "fore", "aft", "near", "far", "leading", "trailing",
+    "middle", "driving", "driven", "fore", "aft", "near", "far", "leading", "trailing", "main",
+    "base", "swing",
 ];
 
 /// Words that say of a body that nothing of it is left out.

@@ -11,6 +11,7 @@ const RESPECTIVELY: &str = "respectively";
 pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Statement> {
     let letters = subjects.iter().all(|t| matches!(t, Term::Formula(_)));
     let count = subjects.len();
+    let what = with_axes_named(what);
     let parted = match letters {
         true => is_parted(&what, count),
         false => hangs_in_turn(&what, Slot::Of, count) || has_sizes_in_turn(&what, count),
@@ -25,10 +26,41 @@ pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Stat
     subjects.into_iter().enumerate().map(one).collect()
 }
 
+/// "along the x, y, z axes of B": along each of these axes.
+fn with_axes_named(what: NounPhrase) -> NounPhrase {
+    let Some((at @ (Slot::About | Slot::Along), axes)) = axes_of(&what) else {
+        return what;
+    };
+    let axes = axes.clone();
+    if axes.head != "axes" || axes.all(Slot::Which).count() != 1 {
+        return what;
+    }
+    let named = |(slot, term): (Slot, Term)| match term {
+        Term::Name(_) | Term::Formula(_) if slot == at => {
+            let others = axes.slots.iter().filter(|(s, _)| *s != Slot::Which);
+            let own = std::iter::once((Slot::Which, term)).chain(others.cloned());
+            let axis = NounPhrase::new("axis", own.collect());
+            (slot, Term::Phrase(Box::new(axis)))
+        }
+        Term::Phrase(last) if *last == axes => {
+            let axis = NounPhrase {
+                head: "axis",
+                ..*last
+            };
+            (slot, Term::Phrase(Box::new(axis)))
+        }
+        term => (slot, term),
+    };
+    NounPhrase {
+        slots: what.slots.into_iter().map(named).collect(),
+        ..what
+    }
+}
+
 /// Whether something hangs on a noun, or on its axes, so many times.
 fn is_parted(what: &NounPhrase, count: usize) -> bool {
     parted_of(what).any(|slot| hangs_in_turn(what, slot, count))
-        || axes_of(what).is_some_and(|axes| is_parted(axes, count))
+        || axes_of(what).is_some_and(|(_, axes)| is_parted(axes, count))
 }
 
 /// Whether a slot has so many terms, one for each subject.
@@ -39,12 +71,15 @@ fn hangs_in_turn(what: &NounPhrase, slot: Slot, count: usize) -> bool {
     terms.len() == count && (slot != Slot::Of || letters || things)
 }
 
-/// The axes that something is about.
-fn axes_of(what: &NounPhrase) -> Option<&NounPhrase> {
-    match what.slot(Slot::About)? {
-        Term::Phrase(axes) if matches!(axes.head, "axes" | "axis") => Some(axes),
+/// The axes that something is about or along, and how they hang on it.
+fn axes_of(what: &NounPhrase) -> Option<(Slot, &NounPhrase)> {
+    what.slots.iter().find_map(|(slot, term)| match term {
+        Term::Phrase(axes) if matches!(axes.head, "axes" | "axis") => {
+            let by_direction = matches!(slot, Slot::About | Slot::Along | Slot::Of);
+            by_direction.then_some((*slot, &**axes))
+        }
         _ => None,
-    }
+    })
 }
 
 /// What is said of one of the subjects.
@@ -55,13 +90,13 @@ fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
         slots: own_slots(&what.slots, &parted, number, count),
         ..what.clone()
     };
-    if let Some(axes) = axes_of(what).filter(|axes| is_parted(axes, count)) {
+    if let Some((at, axes)) = axes_of(what).filter(|(_, axes)| is_parted(axes, count)) {
         let axis = NounPhrase {
             head: "axis",
             ..in_turn(axes, number, count)
         };
-        let about = own.slots.iter_mut().find(|(slot, _)| *slot == Slot::About);
-        about
+        let own_axis = own.slots.iter_mut().find(|(slot, _)| *slot == at);
+        own_axis
             .into_iter()
             .for_each(|(_, term)| *term = Term::Phrase(Box::new(axis.clone())));
     }

@@ -2,8 +2,12 @@
 
 use super::heads::{FRAME_BEFORE_RATE, RATE_FROM_FRAME};
 use super::rate_letters::{rate_letter, repeats_a_rate};
-use super::statement::{Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
-use crate::notation::ast::Symbol;
+use super::statement::{
+    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+};
+use crate::notation::ast::{Kind, Symbol};
+use crate::notation::document::Row;
+use crate::verify::term::letters::spelled;
 
 /// "`\frac{^X d}{dt}` is the rate seen from X, for any frame X" is the rule for a frame at the upper left of a rate; "`a_{b}` is
 /// the same as `a_b`" needs no sentence.
@@ -13,6 +17,9 @@ pub(crate) fn tell_own_notation(declarations: &mut Vec<Declaration>) {
     declarations.retain(|declaration| !repeats_a_rate(declaration, &rates));
     leave_equal_signs(declarations);
     for declaration in declarations {
+        if let Some(rule) = rule_by_example(&declaration.statement) {
+            declaration.statement = rule;
+        }
         let Statement::Notation {
             sign,
             meaning: meaning @ NotationMeaning::Noun(_),
@@ -28,6 +35,45 @@ pub(crate) fn tell_own_notation(declarations: &mut Vec<Declaration>) {
             *meaning = NotationMeaning::Fixed(RATE_FROM_FRAME);
         }
     }
+}
+
+/// "`\frac{d'H}{dt}` is the rate of `H` seen from B": so a d with this label is read before any letter.
+fn rule_by_example(statement: &Statement) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([Term::Formula(written)], "rate", [_, _]) =
+        (subjects.as_slice(), what.head, what.slots.as_slice())
+    else {
+        return None;
+    };
+    let (of, seen) = (what.slot(Slot::Of)?, what.slot(Slot::SeenFrom)?);
+    let Row::Expression(rate) = &written.row else {
+        return None;
+    };
+    let Kind::TimeDerivative {
+        operand,
+        frame: Some(_),
+        ..
+    } = &rate.kind
+    else {
+        return None;
+    };
+    let of = match of {
+        Term::Formula(Formula {
+            row: Row::Expression(of),
+            ..
+        }) => spelled(of),
+        Term::Name(letter) => letter.clone(),
+        _ => return None,
+    };
+    (of == spelled(operand)).then(|| Statement::Notation {
+        sign: Sign::Operator(written.clone()),
+        meaning: NotationMeaning::Noun(NounPhrase::new(
+            "rate",
+            vec![(Slot::SeenFrom, seen.clone())],
+        )),
+    })
 }
 
 /// The letter of the frame from which a rate is seen, where it stands for any frame.

@@ -9,6 +9,7 @@ use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, tur
 use super::centres::centre_shapes;
 use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
+use super::coordinates::tell_coordinates;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::element_places::place_elements;
@@ -116,6 +117,7 @@ fn name_things(
     name_by_agents(&mut declarations);
     tell_own_notation(&mut declarations);
     name_frames_by_numbers(&mut declarations, macros);
+    tell_coordinates(&mut declarations, macros);
     name_origins(&mut declarations);
     tell_frames_of_parts(&mut declarations);
     tell_parallel_frames(&mut declarations);

@@ -26,10 +26,10 @@ fn parts_of_order<'t>(token: &'t Token, next: Option<&Token>) -> Vec<&'t str> {
     }
 }
 
-/// "the xz plane" as "the plane of x and z".
+/// "the xz plane", "the x-z plane" as "the plane of x and z".
 fn by_two_axes(token: &Token, noun: Option<&Token>) -> Option<Vec<Token>> {
     let noun = noun.filter(|noun| noun.lower == "plane")?;
-    let mut letters = token.text.chars();
+    let mut letters = token.text.chars().filter(|c| !"-–".contains(*c));
     let (first, second) = (letters.next()?, letters.next()?);
     let axis = |c: char| "xyzXYZ".contains(c);
     if token.kind != Kind::Word || letters.next().is_some() || !axis(first) || !axis(second) {

@@ -1,6 +1,7 @@
-//! Sums of letters, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
+//! Sums of letters, planes of symmetry, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
 
-use super::heads::{CONTACT_POINT, POTENTIAL_ENERGY};
+use super::heads::{CONTACT_POINT, PLANE_OF_SYMMETRY, POTENTIAL_ENERGY};
+use super::is_quantity;
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
@@ -8,6 +9,13 @@ use crate::notation::Macros;
 
 /// Brings them to these terms.
 pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    for declaration in declarations.iter_mut() {
+        let other =
+            vector_of(&declaration.statement).or_else(|| plane_first(&declaration.statement));
+        if let Some(other) = other {
+            declaration.statement = other;
+        }
+    }
     let told = declarations.drain(..).flat_map(|declaration| {
         match equations(&declaration.statement, macros) {
             Some(said) => said.into_iter().map(|s| declaration.saying(s)).collect(),
@@ -58,6 +66,38 @@ fn equations(statement: &Statement, macros: &Macros) -> Option<Vec<Statement>> {
     };
     let pairs = letters.len() == sides.len() && what.adjectives.is_empty();
     pairs.then(|| letters.iter().zip(&sides).map(equation).collect())?
+}
+
+/// "`$g$` is the vector of the acceleration of gravity on N": it is that acceleration.
+fn vector_of(statement: &Statement) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let [(Slot::Of, Term::Phrase(quantity)), others @ ..] = what.slots.as_slice() else {
+        return None;
+    };
+    let plain = what.head == "vector" && what.adjectives.is_empty();
+    (plain && is_quantity(quantity.head)).then(|| Statement::Is {
+        subjects: subjects.clone(),
+        what: NounPhrase {
+            slots: [quantity.slots.as_slice(), others].concat(),
+            ..(**quantity).clone()
+        },
+    })
+}
+
+/// "The plane of symmetry of the aircraft is the plane of x and z": that plane is one of symmetry.
+fn plane_first(statement: &Statement) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    match (subjects.as_slice(), what.head) {
+        ([Term::Phrase(of_symmetry)], "plane") if of_symmetry.head == PLANE_OF_SYMMETRY => {
+            let plane = Term::Phrase(Box::new(what.clone()));
+            Some(Statement::one_is(plane, (**of_symmetry).clone()))
+        }
+        _ => None,
+    }
 }
 
 /// "P moves along the table relative to N with the speed `$v$`": v is its speed.

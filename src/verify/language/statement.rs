@@ -55,6 +55,17 @@ pub enum Extent {
     Both(Box<Extent>, Box<Extent>),
 }
 
+impl Extent {
+    /// The heading under which a sentence holds, if it names one.
+    pub(crate) fn section(&self) -> Option<&str> {
+        match self {
+            Self::Section(title) => Some(title),
+            Self::Both(one, other) => one.section().or_else(|| other.section()),
+            _ => None,
+        }
+    }
+}
+
 /// A formula inside a sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Formula {

@@ -13,6 +13,8 @@ pub enum Wants {
     Sentence(String),
     /// That this sentence, which tells of the same letter, is taken out or agrees.
     Alone(String),
+    /// A heading with this text, under which the sentence is said to hold.
+    Heading(String),
     /// The axis along which a shape lies, and its sizes: its noun.
     Direction(String),
 }

@@ -56,7 +56,7 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
     // What holds under a condition is never taken as always true, and what is denied is no fact.
     let (conditional, always): (Vec<_>, Vec<_>) = heard(with_elements(declarations, &written))
         .into_iter()
-        .map(|d| if_rates_are_told_apart(d, declarations))
+        .map(|d| if_rates_are_told_apart(d, declarations, &written))
         .partition(|d| {
             let then = has_condition(d) || is_of_instant(d) || is_momentary(d);
             let at_blow = tells_letter_at_blow(d);

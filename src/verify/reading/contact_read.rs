@@ -228,16 +228,23 @@ impl Builder<'_> {
                 None => self.touching(body, &plane, declaration)?,
             };
             let there = self.reading.system.body_point(body, at)?;
+            // A point fixed in the body leaves the place where the body touches, and is at rest at one instant alone.
+            if self.reading.system.points[at]
+                .fixed_in
+                .contains(&there.frame)
+            {
+                return None;
+            }
             let velocity = self.system().carried_velocity(there, plane.frame);
             self.hold_zero(&velocity, declaration);
         }
         Some(())
     }
 
-    /// Whether no sentence that is not worked with speaks of a body, of its mass centre or of where that is: then it is where
-    /// the body is round about.
+    /// Whether no sentence says what a body is made up of, and none that is not worked with speaks of it, of its mass centre or
+    /// of where that is: then the mass centre is where the body is round about.
     fn is_centred(&self, body: BodyId) -> bool {
-        let centre = self.centre_of(body);
+        let (rolling, centre) = (body, self.centre_of(body));
         let body = self.reading.system.bodies[body].name.as_str();
         let named = self.points.iter().filter(|(_, point)| **point == centre);
         let names = named.map(|(name, _)| name.as_str());
@@ -247,7 +254,9 @@ impl Builder<'_> {
             let from = placed.and_then(|(_, slots)| slot(slots, Slot::From));
             let own = |term: &Term| self.point(term) == Some(centre);
             let lost = from.is_some_and(|from| self.point(from).is_none());
+            let made_up = d.statement.does("consist");
             lost && d.statement.subjects().iter().any(own)
+                || made_up.is_some_and(|(of, _)| of.iter().any(|of| self.body(of) == Some(rolling)))
                 || d.is_unread() && speaks_of_centre(d, &names)
         };
         !self.declarations.iter().any(otherwise)

@@ -18,12 +18,16 @@ pub(super) fn unless_contradictory(declarations: Vec<Declaration>) -> Vec<Declar
     let verticals: Vec<(String, &str)> = declarations.iter().filter_map(vertical).collect();
     let turned = |one: &(String, &str)| {
         let mut all = verticals.iter();
-        all.any(|other| other.0 == one.0 && other.1 != one.1)
+        all.any(|other| match other.0 == one.0 {
+            true => other.1 != one.1,
+            false => are_axes_of_one(&declarations, [&one.0, &other.0]),
+        })
     };
     let told: Vec<Told<'_>> = declarations.iter().map(Told::of).collect();
     let telling: Vec<&Told<'_>> = told.iter().filter(|told| told.tells()).collect();
     let denies = |one: &Told<'_>, other: &Told<'_>| {
         places_otherwise(one, other)
+            || turns_otherwise(one, other)
             || measures_otherwise(one, other)
             || has_other_axis(one, other, &declarations)
     };
@@ -60,7 +64,11 @@ struct Told<'d> {
     sizes: Vec<(String, &'static str, String)>,
     /// The axis of a body, by their names.
     axis: Option<(String, String)>,
+    turned: Option<Turned<'d>>,
 }
+
+/// What turns, with the words that tell how.
+type Turned<'d> = (&'d [Term], &'d [(Slot, Term)]);
 
 impl<'d> Told<'d> {
     fn of(declaration: &'d Declaration) -> Self {
@@ -69,11 +77,13 @@ impl<'d> Told<'d> {
             placed: placed(declaration),
             sizes: sizes_across(declaration),
             axis: axis(declaration),
+            turned: declaration.statement.does("turn"),
         }
     }
 
     fn tells(&self) -> bool {
-        self.placed.is_some() || !self.sizes.is_empty() || self.axis.is_some()
+        let told = self.placed.is_some() || self.axis.is_some() || self.turned.is_some();
+        told || !self.sizes.is_empty()
     }
 }
 
@@ -98,6 +108,27 @@ fn places_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
         }
         _ => false,
     }
+}
+
+/// Whether a thing is said to turn from one frame about one axis alone, and about another.
+fn turns_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
+    let (Some((subjects, slots)), Some((others, besides))) = (one.turned, other.turned) else {
+        return false;
+    };
+    let axis = |slots| match about(slots).as_slice() {
+        [axis] => name_of(axis),
+        _ => None,
+    };
+    let from = |slots| slot(slots, Slot::RelativeTo);
+    subjects == others
+        && one.declaration.extent == other.declaration.extent
+        && from(slots) == from(besides)
+        && matches!((axis(slots), axis(besides)), (Some(first), Some(second)) if first != second)
+}
+
+fn about(slots: &[(Slot, Term)]) -> Vec<&Term> {
+    let about = slots.iter().filter(|(slot, _)| *slot == Slot::About);
+    about.map(|(_, axis)| axis).collect()
 }
 
 fn measures_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
@@ -156,19 +187,27 @@ fn has_other_axis(one: &Told<'_>, other: &Told<'_>, all: &[Declaration]) -> bool
     let (Some((axis, body)), Some((second, same))) = (&one.axis, &other.axis) else {
         return false;
     };
-    let named = |subjects: &[Term], name: &String| {
-        subjects
-            .iter()
-            .any(|subject| name_of(subject).as_ref() == Some(name))
-    };
-    let says = |d: &Declaration, heads: &[&str], names: [&String; 2]| match &d.statement {
-        Statement::Is { subjects, what } => {
-            heads.contains(&what.head) && names.iter().all(|name| named(subjects, name))
-        }
+    let is_round = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } => ROUND.contains(&what.head) && names(subjects, body),
         _ => false,
     };
     body == same
         && axis != second
-        && all.iter().any(|d| says(d, &["axes"], [axis, second]))
-        && all.iter().any(|d| says(d, &ROUND, [body, body]))
+        && are_axes_of_one(all, [axis, second])
+        && all.iter().any(is_round)
+}
+
+/// Whether a sentence names both as axes of one frame.
+fn are_axes_of_one(all: &[Declaration], axes: [&String; 2]) -> bool {
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            what.head == "axes" && axes.iter().all(|axis| names(subjects, axis))
+        }
+        _ => false,
+    })
+}
+
+fn names(subjects: &[Term], name: &String) -> bool {
+    let mut subjects = subjects.iter();
+    subjects.any(|subject| name_of(subject).as_ref() == Some(name))
 }

@@ -6,6 +6,7 @@ use crate::notation::document::Row;
 use crate::verify::Role;
 use crate::verify::facts::{START, Source};
 use crate::verify::language::heads::{INITIAL_VALUE, INSTANT, START_OF_MOTION};
+use crate::verify::language::is_quantity;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
@@ -22,13 +23,14 @@ const VALUE: &str = "value";
 const INITIAL: &str = "initial";
 
 impl Builder<'_> {
-    /// A letter that has a value at an instant is constant.
+    /// A letter that is the value of a quantity at an instant is constant: not one of which something is so then.
     pub(super) fn name_values_at_instants(&mut self, declarations: &[Declaration]) {
         for declaration in declarations.iter().filter(|d| is_of_instant(d)) {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            if matches!(what.head, "zero" | AT_REST | "fixed") {
+            let says_what_it_is = is_quantity(what.head) && !is_trait(what);
+            if !says_what_it_is || matches!(what.head, AT_REST | "fixed") {
                 continue;
             }
             for subject in subjects {

@@ -9,6 +9,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_outside::opposite_load;
 use crate::verify::reading::loads_read::{FORCES, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
+use crate::verify::reading::only_moments_read::each_moment;
 use crate::verify::reading::quantities_read::without;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -105,6 +106,11 @@ impl Builder<'_> {
         }
         if is_one_of_several(phrase) {
             return None;
+        }
+        if phrase.all(Slot::Of).count() > 1 {
+            let each = each_moment(phrase).into_iter();
+            let each = each.map(|own| self.moment(&own, declaration));
+            return each.collect::<Option<Vec<_>>>().map(Quantity::Sum);
         }
         match phrase.slot(Slot::Of)? {
             Term::Formula(formula) => {

@@ -52,6 +52,10 @@ pub(super) fn is_momentary(declaration: &Declaration) -> bool {
         Statement::Is { what, .. } if STATES.contains(&what.head) => {
             what.slot(Slot::At).is_some() && !is_measure(what)
         }
+        // "P is at rest at the top": where such a point is fixed is not told.
+        Statement::Is { what, .. } if what.slot(Slot::FixedIn).is_some() => {
+            what.all(Slot::At).any(|at| is_time(at) || is_thing(at))
+        }
         Statement::Is { what, .. } if LASTING.contains(&what.head) => {
             what.all(Slot::At).any(|at| is_time(at) || is_thing(at))
         }

@@ -175,6 +175,15 @@ impl Builder<'_> {
             {
                 letters.customs.products.dyads = true;
             }
+            (Sign::Operator(cross), NotationMeaning::Fixed(MATRIX_PRODUCT))
+                if cross.source.trim() == "\\times" =>
+            {
+                letters
+                    .customs
+                    .products
+                    .matrices_crossed
+                    .push(reach.clone());
+            }
             // Which axes columns of two are on is read behind the signs.
             (Sign::Custom(COLUMNS_OF_TWO), _)
             | (Sign::Custom(COLUMN_OF_VECTORS), NotationMeaning::Fixed(LIST))

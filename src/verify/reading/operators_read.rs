@@ -1,6 +1,8 @@
 //! Rules for operators: d/dt, δ/δt, `a\times`, and commands of the author.
 
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Node, Operator};
+use crate::notation::document::Row;
+use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::{
     CROSS_PRODUCT, DERIVATIVE, PARTIAL_DERIVATIVE, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT,
     QUATERNION_PRODUCT,
@@ -10,11 +12,16 @@ use crate::verify::language::statement::{
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of, reach_of};
-use crate::verify::term::labels::without_commands;
-use crate::verify::term::letters::{Effect, Mark, MarkRule, spelled};
+use crate::verify::term::labels::plain;
+use crate::verify::term::letters::{Effect, LabelRule, Mark, MarkRule, Reach, spelled};
+use crate::verify::term::written::{TURNING_RATE, WrittenSymbols};
 
 /// The signs of a cross product.
 const CROSSES: [&str; 2] = ["\\times", "\\wedge"];
+
+/// The labels of rates that are written with δ: where no d/dt stands beside them, and where one does.
+const DELTA: &str = "δ";
+const TURNING: &str = "'";
 
 /// Whether a writing ends with a star that stands before something.
 fn ends_with_star(written: &str) -> bool {
@@ -48,11 +55,8 @@ impl Builder<'_> {
             self.say_unused(declaration);
         } else if rate && self.names_its_frame(written, &effect) {
             // Its own command says from where the rate is seen.
-        } else if let Some(label) = frame_before_rate(written) {
-            // What is said of a rate with a frame beside it is said of no other.
-            if !self.is_seen_from(&effect, &label) {
-                self.say_unused(declaration);
-            }
+        } else if let Some(label) = label_of_rate(written).filter(|_| rate) {
+            self.read_labelled_rate(label, effect, reach, declaration);
         } else if let Some(mark) = rate_in_time(written).filter(|&m| rate || m == Mark::Partial) {
             self.reading.letters.marks.push(MarkRule {
                 mark,
@@ -61,6 +65,43 @@ impl Builder<'_> {
             });
         } else if rate || node_of(formula).is_none() {
             self.say_unused(declaration);
+        }
+    }
+
+    /// "`\frac{d'}{dt}` is the rate seen from B": what is said of a rate with a label is said of no other.
+    fn read_labelled_rate(
+        &mut self,
+        label: String,
+        effect: Effect,
+        reach: Reach,
+        declaration: &Declaration,
+    ) {
+        let letters = &self.reading.letters;
+        let named = letters.frame(&label).is_some();
+        if named && !self.is_seen_from(&effect, &label) {
+            return self.say_unused(declaration);
+        }
+        // Where no d/dt is written beside it a δ is read as a d.
+        let marks = &letters.written;
+        if label == DELTA && !marks.has(TURNING_RATE) {
+            self.reading.letters.marks.push(MarkRule {
+                mark: Mark::Leibniz,
+                effect: effect.clone(),
+                reach: reach.clone(),
+            });
+        }
+        let labels = match label.as_str() {
+            DELTA => vec![DELTA, TURNING],
+            _ => vec![label.as_str()],
+        };
+        for label in labels {
+            self.reading.letters.labels.push(LabelRule {
+                label: label.to_owned(),
+                effect: effect.clone(),
+                on_rate: true,
+                component: None,
+                reach: reach.clone(),
+            });
         }
     }
 
@@ -156,8 +197,12 @@ pub(super) fn rate_in_time(written: &str) -> Option<Mark> {
     total.then_some(Mark::Leibniz)
 }
 
-/// The sentence, or one that was not understood in its place: beside d/dt what δ/δt is hangs on how the lines are written.
-pub(super) fn if_rates_are_told_apart(said: Declaration, all: &[Declaration]) -> Declaration {
+/// The sentence, or one that was not understood in its place: what δ/δt is beside d/dt is told of lines that write both.
+pub(super) fn if_rates_are_told_apart(
+    said: Declaration,
+    all: &[Declaration],
+    written: &WrittenSymbols,
+) -> Declaration {
     let operator = |d: &Declaration| match &d.statement {
         Statement::Notation {
             sign: Sign::Operator(formula),
@@ -169,8 +214,10 @@ pub(super) fn if_rates_are_told_apart(said: Declaration, all: &[Declaration]) ->
         rate_in_time(&written) == Some(Mark::Leibniz) && !is_rate_of_deltas(&written)
     };
     match operator(&said) {
-        Some(written)
-            if is_rate_of_deltas(&written) && all.iter().filter_map(operator).any(total) =>
+        Some(writing)
+            if is_rate_of_deltas(&writing)
+                && !written.has(TURNING_RATE)
+                && all.iter().filter_map(operator).any(total) =>
         {
             said.not_understood()
         }
@@ -211,10 +258,25 @@ pub(super) fn is_quaternion_product(sign: &Sign, meaning: &NotationMeaning) -> b
     }
 }
 
-/// The frame that is written at the upper left of a rate: the b of `\frac{{}^b d^2}{dt^2}`.
-fn frame_before_rate(written: &str) -> Option<String> {
-    let mut plain = without_commands(written);
-    plain.retain(|c| !c.is_whitespace() && !"{}".contains(c));
-    let (label, _) = plain.strip_prefix('^')?.split_once('d')?;
-    (!label.is_empty()).then(|| label.to_owned())
+/// What is written beside the d of a rate: the b of `\frac{{}^b d^2}{dt^2}`, the R of `\frac{d_R}{dt}`, the prime of
+/// `\frac{d'}{dt}`, the δ of `\frac{\delta}{\delta t}`.
+fn label_of_rate(written: &str) -> Option<String> {
+    if is_rate_of_deltas(written) {
+        return Some(DELTA.to_owned());
+    }
+    let applied = format!("{written} q");
+    match node_in(&read_formula(&applied, 0, &Macros::default()))?
+        .kind
+        .clone()
+    {
+        Kind::TimeDerivative { frame, .. } => frame.map(|label| plain(&label.text)),
+        _ => None,
+    }
+}
+
+fn node_in(rows: &[Row]) -> Option<&Node> {
+    match rows {
+        [Row::Expression(node)] => Some(node),
+        _ => None,
+    }
 }

@@ -104,7 +104,7 @@ impl Builder<'_> {
             ) else {
                 continue;
             };
-            if is_letter(by) && !self.is_subject(by) {
+            if is_letter(by) && !self.is_subject(by) && slot(slots, Slot::On).is_none() {
                 let of = Spot::Point(of);
                 let way = Quantity::Position { of, from };
                 self.denote(by, Meaning::Quantity(way), declaration);
@@ -320,7 +320,11 @@ impl Builder<'_> {
         if let Some(Term::Formula(by)) = slot(slots, Slot::By) {
             let defined = self.definition_of(by);
             let by = defined.as_ref().unwrap_or(by);
-            return self.place_value(by, declaration)?.to_vector().ok();
+            let way = self.place_value(by, declaration)?.to_vector().ok()?;
+            return match slot(slots, Slot::On) {
+                Some(on) => self.by_components(&way, on),
+                None => Some(way),
+            };
         }
         let along = slot(slots, Slot::Along).or(slot(slots, Slot::On))?;
         let along = match self.axis_of_frame(along) {
@@ -338,6 +342,17 @@ impl Builder<'_> {
             self.make_constant(&distance);
         }
         Some(along * distance)
+    }
+
+    /// "by `$(a, b, c)$` on B": so much along each of its axes.
+    fn by_components(&mut self, components: &Vector, on: &Term) -> Option<Vector> {
+        let frame = self.frame(on)?;
+        let along = |k: usize| self.system().axis(frame, k) * components[k].clone();
+        Some(
+            (0..3)
+                .map(along)
+                .fold(Vector::zeros(), |sum, way| sum + way),
+        )
     }
 
     /// A second sentence about a point that stands already: both places are the same there.

@@ -108,6 +108,9 @@ impl Builder<'_> {
             "moment" if premise.is("only") && self.lists_moments(premise) => {
                 self.only_moments(premise, declaration)
             }
+            "moment" if premise.is("only") && self.lists_moments_about_point(premise) => {
+                self.only_moments_about_point(premise, declaration)
+            }
             "moment" if premise.is("only") => self.only_drive(premise),
             "moment" if premise.is("no") => self.no_moment(premise, declaration),
             "force" if premise.is("no") => self.no_force(premise, declaration),

@@ -36,6 +36,11 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let body = self.body(subject)?;
+        if let Term::Phrase(plane) = about
+            && plane.head == "plane"
+        {
+            return self.hold_plane_of_symmetry(plane, body, declaration);
+        }
         let frame = self.reading.system.bodies[body].frame?;
         let axis = match self.axis_of_frame(about) {
             Some((frame, axis)) => self.system().axis(frame, axis),
@@ -92,7 +97,7 @@ impl Builder<'_> {
         Some(mechanics::symmetric_inertia(&across, &along, &axis))
     }
 
-    /// "The plane of x and z is a plane of symmetry of the aircraft": no product of inertia has the axis across it.
+    /// "The plane of x and z is a plane of symmetry of the aircraft."
     pub(super) fn read_plane_of_symmetry(
         &mut self,
         subjects: &[Term],
@@ -103,6 +108,16 @@ impl Builder<'_> {
             return None;
         };
         let body = self.body(what.slot(Slot::Of)?)?;
+        self.hold_plane_of_symmetry(plane, body, declaration)
+    }
+
+    /// No product of inertia has the axis across a plane of symmetry.
+    fn hold_plane_of_symmetry(
+        &mut self,
+        plane: &NounPhrase,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<()> {
         let of = Whole::Body(body);
         let axes: Option<Vec<_>> = plane.all(Slot::Of).map(|t| self.axis_of_frame(t)).collect();
         let &[(frame, one), (other, two)] = axes?.as_slice() else {

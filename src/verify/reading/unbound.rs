@@ -8,7 +8,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{PRODUCTS, node_of};
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, FREQUENCY, PERIOD};
 use crate::verify::reading::unused::array_said;
 use crate::verify::term::letters::{loosely, spelled};
@@ -37,6 +37,14 @@ impl Builder<'_> {
                 let whole = d.extent == Extent::Document;
                 whole && formulas(subjects).any(|letter| self.is_unbound(letter))
             }
+            // Which product it is its labels say, of the tensor whose letter has them.
+            Statement::Is { subjects, what } if what.head == PRODUCTS => {
+                let labelled = |letter: &Formula| {
+                    self.is_unbound(letter)
+                        && without_label(letter).is_none_or(|l| self.is_unbound(&l))
+                };
+                formulas(subjects).any(labelled)
+            }
             Statement::Is { subjects, .. } => {
                 let mut arrays = subjects.iter().filter_map(array_said);
                 arrays.any(|letter| self.is_unbound(letter))
@@ -63,6 +71,20 @@ impl Builder<'_> {
             .any(|l| l.spelled == exact || l.loose == loose);
         !known
     }
+}
+
+/// A letter without its last label.
+fn without_label(letter: &Formula) -> Option<Formula> {
+    let node = node_of(letter)?;
+    let Kind::Symbol(symbol) = &node.kind else {
+        return None;
+    };
+    let mut symbol = symbol.clone();
+    symbol.subscripts.pop()?;
+    Some(Formula::of(&Node {
+        kind: Kind::Symbol(symbol),
+        span: node.span,
+    }))
 }
 
 /// Whether a noun says what a letter is, and neither an index nor what the motion is worked out for.

@@ -358,7 +358,7 @@ impl<'a> Judge<'a> {
             (Standing::Denied | Standing::Free, Role::Define)
                 if purpose.declared && !h.sides.is_empty() =>
             {
-                self.assumed_definition(line)
+                self.assumed_definition(line, h)
             }
             (Standing::Denied, Role::Claim | Role::Define) if chooses => Standing::Settles,
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,

@@ -1,6 +1,7 @@
 //! What a line is for, by the words that lead into it.
 
 use crate::notation::ast::{Kind, Line, Node};
+use crate::notation::print::latex;
 use crate::recent::Recent;
 use crate::verify::Role;
 use crate::verify::language::cues::{Cue, cues, denies_assumption};
@@ -8,7 +9,8 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::term::letters::spelled;
+use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::quantity::Quantity;
 use std::cell::RefCell;
 
 /// What stands in a sentence for a relation.
@@ -150,16 +152,34 @@ fn told_by(sentence: &str) -> Purpose {
 }
 
 impl Judge<'_> {
-    /// How a line stands that does not hold but is declared a definition: of a letter that another line has defined nobody
-    /// knows which of the two holds.
-    pub(super) fn assumed_definition(&self, line: &Line) -> Standing {
+    /// How a line stands that does not hold but is declared a definition: of a letter that another line has defined, or of
+    /// which a sentence says what it is, nobody knows which of the two holds.
+    pub(super) fn assumed_definition(&self, line: &Line, held: &Held) -> Standing {
         let letter = line.sides.first().map(spelled);
         let defined = |link: &Link<'_>| Some(spelled(&link.left)) == letter;
         let mut before = self.again.defining.iter().flat_map(|(_, links)| links);
-        match before.any(defined) {
+        let told =
+            held.standing == Standing::Denied && held.unknown.is_empty() && self.is_left_told(line);
+        match told || before.any(defined) {
             true => Standing::Open,
             false => Standing::Free,
         }
+    }
+
+    /// Whether the left side of a line is the letter that it is said to define, and a sentence says what quantity that is.
+    fn is_left_told(&self, line: &Line) -> bool {
+        let Some(left) = line.sides.first() else {
+            return false;
+        };
+        let letters = &self.reading.letters;
+        let found = letters.find(&spelled(left), &loosely(left), &self.at, 0);
+        let own = |quantity: &Quantity| {
+            matches!(quantity, Quantity::Scalar { .. } | Quantity::Vector { .. })
+        };
+        let told = found.is_some_and(
+            |letter| matches!(&letter.meaning, Meaning::Quantity(quantity) if !own(quantity)),
+        );
+        told && self.reading.is_defined_at(&latex(left), &self.at)
     }
 
     /// Whether what a link settles is said to be defined by another line.

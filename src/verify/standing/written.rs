@@ -5,7 +5,7 @@ use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
-use crate::verify::term::written::Written;
+use crate::verify::term::written::{TURNING_RATE, Written};
 use foldhash::HashSet;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -83,12 +83,16 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
             Kind::Symbol(symbol) if seen.insert((symbol, false)) => {
                 found.insert(spell(symbol, true));
             }
-            Kind::TimeDerivative { operand, .. } => match &operand.kind {
-                Kind::Symbol(symbol) if !seen.insert((symbol, true)) => {}
-                _ => {
-                    found.insert(rate_of(&spelled(operand)));
+            Kind::TimeDerivative { operand, frame, .. } => {
+                let turning = frame.as_ref().filter(|label| label.text == "'");
+                found.extend(turning.map(|_| TURNING_RATE.to_owned()));
+                match &operand.kind {
+                    Kind::Symbol(symbol) if !seen.insert((symbol, true)) => {}
+                    _ => {
+                        found.insert(rate_of(&spelled(operand)));
+                    }
                 }
-            },
+            }
             _ => {}
         }
         node.children()

@@ -42,6 +42,8 @@ pub(crate) struct Products {
     pub(crate) dyads: bool,
     /// Where a cross product of vectors of a plane is its component across that plane, and along what.
     pub(crate) across: Vec<(Reach, Vector)>,
+    /// Where a cross is the sign of the product of matrices.
+    pub(crate) matrices_crossed: Vec<Reach>,
 }
 
 impl Products {
@@ -49,6 +51,13 @@ impl Products {
     pub(crate) fn across_at(&self, at: &At) -> Option<&Vector> {
         let own = self.across.iter().find(|(reach, _)| reach.covers(at, 0));
         own.map(|(_, axis)| axis)
+    }
+
+    /// Whether a cross beside a matrix is the sign of the product of matrices at a place.
+    pub(crate) fn cross_matrices_at(&self, at: &At) -> bool {
+        self.matrices_crossed
+            .iter()
+            .any(|reach| reach.covers(at, 0))
     }
 }
 

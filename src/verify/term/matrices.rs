@@ -12,6 +12,22 @@ use std::collections::BTreeSet;
 const MOST_ROWS: usize = 4;
 
 impl Lowering<'_> {
+    /// What a cross says of two values: their cross product, its component across a plane, or the product of matrices.
+    pub(super) fn crossed(&mut self, left: &Value, right: &Value, custom: FrameId) -> Valued {
+        let products = &self.letters.customs.products;
+        if left.is_matrix() && products.cross_matrices_at(self.at) {
+            return self.system.times(left, right, custom);
+        }
+        let product = self.system.cross(left, right, custom)?;
+        match products.across_at(self.at) {
+            Some(axis) => {
+                let axis = Value::vector(axis, Basis::Itself);
+                self.system.dot(&product, &axis, custom)
+            }
+            None => Ok(product),
+        }
+    }
+
     /// A list of components of one frame is on that frame, unless a sentence says what lists are on.
     fn on_its_frame(&mut self, list: Value, frames: &BTreeSet<FrameId>) -> Valued {
         let told = self.frame_of_brackets();

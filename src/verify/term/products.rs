@@ -8,7 +8,7 @@ use crate::verify::term::indices::axis_letters;
 use crate::verify::term::letters::{Meaning, loosely, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
-use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+use crate::verify::term::value::{Trouble, Value, Valued, beyond};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -378,16 +378,7 @@ impl Lowering<'_> {
         match sign {
             Sign::Juxtaposed => self.system.times(left, right, custom),
             Sign::Dot => self.system.dot(left, right, custom),
-            Sign::Cross => {
-                let product = self.system.cross(left, right, custom)?;
-                match self.letters.customs.products.across_at(self.at) {
-                    Some(axis) => {
-                        self.system
-                            .dot(&product, &Value::vector(axis, Basis::Itself), custom)
-                    }
-                    None => Ok(product),
-                }
-            }
+            Sign::Cross => self.crossed(left, right, custom),
             Sign::Tensor if left.is_vector() && right.is_vector() => {
                 let row = right.transposed();
                 self.system.times(left, &row, custom)

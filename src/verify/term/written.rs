@@ -5,6 +5,9 @@ use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+/// What stands among the symbols where a rate on axes that turn is written, with a d that is marked or a δ.
+pub(crate) const TURNING_RATE: &str = "d'/dt";
+
 /// The symbols that a document writes, spelled. All who go through it share them.
 pub(crate) type Written = Arc<BTreeSet<String>>;
 

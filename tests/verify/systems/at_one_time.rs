@@ -152,3 +152,33 @@ $$ V = mg(s-h) $$
 ";
     assert_eq!(judged(sentences, text), "rp");
 }
+
+#[test]
+fn a_letter_of_which_something_is_so_at_an_instant_may_change() {
+    let text = r"
+$$ \dot a = 0 $$
+";
+    for sentence in [
+        "$a$ is positive at $t=0$.",
+        "At $t=0$ $a$ is the same as $b$.",
+        "$a$ is horizontal at $t=0$.",
+    ] {
+        assert_eq!(judged(sentence, text), "u", "{sentence}");
+    }
+}
+
+#[test]
+fn what_rests_at_the_end_moves_before() {
+    let text = r"
+$$ v = 0 $$
+$$ \dot v = 0 $$
+";
+    for when in ["at the end", "at the top", "at the start"] {
+        let sentences = format!(
+            r"N is an inertial frame.
+P is at rest relative to N {when}.
+$v$ is the velocity of P relative to N."
+        );
+        assert_eq!(judged(&sentences, text), "uu", "{when}");
+    }
+}

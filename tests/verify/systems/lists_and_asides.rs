@@ -273,3 +273,28 @@ $$ J=\tfrac1{3}ml^2 $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn axes_in_turn_are_those_of_the_subjects() {
+    let text = r"
+$$ w = p\,i + q\,j + r\,k $$
+$$ i\times j = k $$
+$$ w = q\,i + p\,j + r\,k $$
+";
+    for axes in [
+        "along the axes x, y, z of B",
+        "along the axes x, y and z of B",
+        "along the x, y, z axes of B",
+        "along the axes 1, 2 and 3 of B",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of B.
+$i, j, k$ are unit vectors {axes}.
+$w$ is the angular velocity of B relative to N.
+$p, q, r$ are the components of $w$ {axes}."
+        );
+        assert_eq!(judged(&sentences, text), "ppr", "{axes}");
+    }
+}

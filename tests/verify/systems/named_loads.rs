@@ -138,3 +138,28 @@ $$ J\ddot\theta = Q - S $$
 ";
     assert_eq!(judged(sentences, text), "prr");
 }
+
+#[test]
+fn the_only_moments_about_a_point_come_to_the_whole() {
+    let text = r"
+$$ \dot H = K + M $$
+$$ \dot H = K $$
+";
+    for said in [
+        "The moment of the aerodynamic forces and the moment of the thrust are the only moments on the aircraft about G.",
+        "The moments of the aerodynamic forces and of the thrust are the only moments on the aircraft about G.",
+        "$K$ and $M$ are the only moments on the aircraft about G.",
+        "The total moment on the aircraft about G is that of the aerodynamic forces and of the thrust.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+B is a frame fixed in the aircraft.
+G is the mass centre of the aircraft.
+$H$ is the angular momentum of the aircraft about G relative to N.
+$K$ is the moment of the aerodynamic forces on the aircraft about G.
+$M$ is the moment of the thrust on the aircraft about G.
+{said}"
+        );
+        assert_eq!(judged(&sentences, text), "pr", "{said}");
+    }
+}

@@ -86,3 +86,20 @@ $$ v = \dot s x $$
 ";
     assert_eq!(judged(sentences, text), "r");
 }
+
+#[test]
+fn products_of_no_tensor_that_is_told_are_not_free_letters() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+$x, y, z$ are the axes of B.
+G is the mass centre of the body.
+$I$ is the inertia tensor of the body about G in components on B.
+$C_{xy}$ is the centrifugal moment of the body about G on x and y.
+$D_{xy}$ is the deviation moment of the body about G on x and y.
+";
+    let text = r"
+$$ D_{xy} = C_{xy} $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}

@@ -111,3 +111,58 @@ $$ H=h-k $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_rate_is_told_by_what_stands_beside_its_d() {
+    let ways = [
+        (r"\frac{\delta}{\delta t}", r"\frac{\delta H}{\delta t}"),
+        (r"\delta/\delta t", r"\frac{\delta}{\delta t} H"),
+        (r"\frac{d'}{dt}", r"\frac{d'H}{dt}"),
+        (r"\frac{\tilde d}{dt}", r"\frac{\tilde d H}{dt}"),
+        (r"\frac{d^*}{dt}", r"\frac{d^* H}{dt}"),
+        (
+            r"\frac{\text{d}_B}{\text{d}t}",
+            r"\frac{\text{d}_B H}{\text{d}t}",
+        ),
+        (
+            r"\frac{\text{d}_r}{\text{d}t}",
+            r"\frac{\text{d}_r H}{\text{d}t}",
+        ),
+    ];
+    for (sign, rate) in ways {
+        let sentences = format!(
+            r"N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\omega$ is the angular velocity of B relative to N.
+$H$ is the angular momentum of the body about G relative to N.
+$\frac{{d}}{{dt}}$ is the rate seen from N.
+${sign}$ is the rate seen from B."
+        );
+        let text = format!(
+            r"
+$$ \frac{{d H}}{{dt}} = {rate} + \omega\times H $$
+$$ \frac{{d H}}{{dt}} = {rate} $$
+"
+        );
+        assert_eq!(judged(&sentences, &text), "pr", "{sign}");
+    }
+}
+
+#[test]
+fn a_rate_of_one_vector_shows_how_rates_are_written() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\omega$ is the angular velocity of B relative to N.
+$H$ is the angular momentum of the body about G relative to N.
+$\frac{d}{dt}$ is the rate seen from N.
+$\frac{\delta H}{\delta t}$ is the rate of $H$ seen from B.
+";
+    let text = r"
+$$ \frac{d H}{dt} = \frac{\delta H}{\delta t} + \omega\times H $$
+$$ \frac{d \omega}{dt} = \frac{\delta \omega}{\delta t} $$
+";
+    assert_eq!(judged(sentences, text), "pp");
+}

@@ -175,3 +175,41 @@ $$ v = r\dot\phi\, i $$
     let aside = "C is a point fixed in the wheel.\nG lies at the distance $e$ from C along a.\n";
     assert_eq!(judged(&[sentences, aside].concat(), text), "u");
 }
+
+#[test]
+fn a_point_of_the_body_does_not_stay_where_the_body_touches() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+z is the upward vertical.
+The floor is a horizontal plane fixed in N.
+The ball is a uniform ball of mass $m$ and radius $r$.
+The ball rolls on the floor at C without slipping.
+C is a point fixed in the ball.
+$a$ is the acceleration of C relative to N.
+";
+    let text = r"
+$$ a = 0 $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn the_mass_centre_of_what_is_made_up_of_parts_may_be_aside() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+z is the upward vertical.
+The floor is a horizontal plane fixed in N.
+The ball consists of a uniform ball of mass $m$ and radius $r$ and the particle P.
+P is a particle of mass $M$.
+G is the mass centre of the ball.
+The ball rolls on the floor at C without slipping.
+$w$ is the angular velocity of the ball relative to N.
+$u$ is the velocity of G relative to N.
+";
+    let text = r"
+$$ u = r w\times z $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}

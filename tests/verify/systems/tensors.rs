@@ -169,3 +169,27 @@ $$ L_i = \Theta_{ij}\omega_j $$
 ";
     assert_eq!(judged(sentences, text), "pprup");
 }
+
+#[test]
+fn what_is_symmetric_about_a_plane_has_no_products_across_it() {
+    let text = r"
+$$ I_{xy} = 0 $$
+$$ I_{xz} = 0 $$
+";
+    for said in [
+        "The aircraft is symmetric about the plane of x and z.",
+        "The aircraft is symmetric about the x-z plane.",
+        "The plane of symmetry of the aircraft is the plane of x and z.",
+        "The xz plane is a plane of symmetry of the aircraft.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+B is a frame fixed in the aircraft.
+x, y, z are the axes of B.
+G is the mass centre of the aircraft.
+$I$ is the inertia tensor of the aircraft about G in components on B.
+{said}"
+        );
+        assert_eq!(judged(&sentences, text), "pr", "{said}");
+    }
+}

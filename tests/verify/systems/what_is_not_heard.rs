@@ -245,3 +245,53 @@ $v$ is the velocity of P relative to N.
         assert_eq!((given.as_str(), misread.len()), (judged, 1), "{rule}");
     }
 }
+
+#[test]
+fn two_turns_of_one_frame_about_two_axes_contradict_each_other() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+A turns relative to N about z at the rate $p$.
+A turns relative to N about x at the rate $q$.
+$w$ is the angular velocity of A relative to N.
+";
+    let text = r"
+$$ w = p z $$
+$$ w = q x $$
+";
+    assert_eq!(judged(sentences, text), "uu");
+}
+
+#[test]
+fn two_axes_of_one_frame_are_not_both_vertical() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+z is the upward vertical.
+y is the upward vertical.
+$g$ is the gravitational acceleration.
+P is a particle of mass $m$.
+The weight is the only load on P.
+$c$ is the acceleration of P relative to N.
+";
+    let text = r"
+$$ c = -g z $$
+$$ c = -g y $$
+";
+    assert_eq!(judged(sentences, text), "uu");
+}
+
+#[test]
+fn what_a_sentence_tells_is_not_defined_anew_by_a_line() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+A turns relative to N about z by the angle $a$.
+$w$ is the angular velocity of A relative to N.
+Line 2 defines $w$.
+";
+    let text = r"
+$$ w = 2\dot a z $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}

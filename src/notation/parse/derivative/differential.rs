@@ -4,6 +4,9 @@ use crate::notation::ast::FrameLabel;
 use crate::notation::token::{Lexeme, Token};
 use crate::source::Span;
 
+/// Of a rate that is written with δ.
+pub(in crate::notation) const DELTA: &str = "δ";
+
 /// What a numerator or a denominator of differentials says.
 pub(super) struct Differential<'t, 'a> {
     pub(super) partial: bool,
@@ -14,7 +17,7 @@ pub(super) struct Differential<'t, 'a> {
 }
 
 /// The label of axes that turn, which d' stands for (Landau and Lifshitz, Mechanics, § 36).
-pub(in crate::notation::parse) fn turning(span: Span) -> FrameLabel {
+pub(in crate::notation) fn turning(span: Span) -> FrameLabel {
     FrameLabel {
         text: "'".into(),
         span,
@@ -197,21 +200,37 @@ fn frame_above<'t, 'a>(tokens: &'t [Token<'a>]) -> (Option<&'t [Token<'a>]>, &'t
     }
 }
 
-/// `D t` below a line makes the D above it a d: `\frac{D L}{D t}`.
+/// `D t` below a line makes the D above it a d, and `\delta t` a δ: `\frac{D L}{D t}`, `\frac{\delta L}{\delta t}`.
 pub(super) fn total<'t, 'a>(
     top: &'t [Token<'a>],
     bottom: &[Token<'a>],
 ) -> Option<Differential<'t, 'a>> {
     let (top, bottom) = (trim(top), trim(bottom));
-    let rest = trim(&top[total_mark(top)?..]);
-    let time = trim(&bottom[total_mark(bottom)?..]);
+    let small = |tokens: &[Token<'_>]| match tokens.first()?.kind {
+        Lexeme::Command("delta") | Lexeme::Letter('δ') => Some(1),
+        _ => None,
+    };
+    let (length, below, frame) = match (total_mark(top), small(top)) {
+        (Some(length), _) => (length, total_mark(bottom)?, None),
+        (None, Some(length)) => (length, small(bottom)?, Some(in_deltas(top[0].span))),
+        (None, None) => return None,
+    };
+    let time = trim(&bottom[below..]);
     let total = matches!(time, [t] if t.kind == Lexeme::Letter('t'));
     total.then_some(Differential {
         partial: false,
         order: 1,
-        frame: None,
-        rest,
+        frame,
+        rest: trim(&top[length..]),
     })
+}
+
+/// The label of a rate that is written with δ in the place of d, until the document tells what that means.
+fn in_deltas(span: Span) -> FrameLabel {
+    FrameLabel {
+        text: DELTA.into(),
+        span,
+    }
 }
 
 /// How many tokens a D takes at the start of a slice, upright or not.
