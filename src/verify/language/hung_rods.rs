@@ -2,7 +2,7 @@
 //! turns by θ. It always lies along that axis of what turns.
 
 use super::at_zero::turns_by;
-use super::heads::{MASS_CENTRE, VERTICAL};
+use super::heads::{MASS_CENTRE, UNIT_VECTOR, VERTICAL};
 use super::planar_axes::axis;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
@@ -61,7 +61,14 @@ fn hung(statement: &Statement, all: &[Declaration], macros: &Macros) -> Option<H
         }
         _ => return None,
     };
-    let mut shapes = all.iter();
+    // Where a vector is along the rod its sentence tells the place.
+    let told_by_vector = all.iter().any(|d| match &d.statement {
+        Statement::Is { what, .. } => {
+            what.head == UNIT_VECTOR && what.slot(Slot::Along) == Some(&hung.rod)
+        }
+        _ => false,
+    });
+    let mut shapes = all.iter().filter(|_| !told_by_vector);
     shapes
         .any(|d| is_rod(&hung.rod, &d.statement))
         .then_some(hung)
