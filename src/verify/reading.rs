@@ -3,6 +3,7 @@
 pub(crate) mod about_read;
 pub(crate) mod adapted_axes;
 pub(crate) mod any_read;
+mod arithmetic_read;
 mod axes_besides;
 pub(crate) mod axes_in_order;
 pub(crate) mod axes_read;

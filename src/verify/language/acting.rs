@@ -32,6 +32,7 @@ fn acting(at: usize, declarations: &[Declaration]) -> Option<Acting> {
     }
     let (subjects, slots) = declaration.statement.does("act")?;
     let [subject] = subjects else { return None };
+    let subject = letter_alone(subject).unwrap_or(subject);
     let force = match subject {
         Term::Phrase(force) => (**force).clone(),
         Term::Formula(_) => declarations.iter().find_map(|d| match &d.statement {
@@ -54,6 +55,17 @@ fn acting(at: usize, declarations: &[Declaration]) -> Option<Acting> {
         on: on?.clone(),
         at: slot(slots, Slot::At)?.clone(),
     })
+}
+
+/// The letter of "the force `F`".
+fn letter_alone(subject: &Term) -> Option<&Term> {
+    let Term::Phrase(force) = subject else {
+        return None;
+    };
+    match force.slots.as_slice() {
+        [(Slot::Which, letter @ Term::Formula(_))] if force.head == FORCE => Some(letter),
+        _ => None,
+    }
 }
 
 impl Acting {

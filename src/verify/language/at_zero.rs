@@ -89,7 +89,7 @@ fn angle_told(statement: &Statement) -> Option<(&Term, &NounPhrase)> {
 }
 
 /// The formula of "by the angle `$\\theta$`".
-fn angle_of_turn(by: &Term) -> Option<&Formula> {
+pub(super) fn angle_of_turn(by: &Term) -> Option<&Formula> {
     match by {
         Term::Phrase(angle) if angle.head == "angle" => match angle.slot(Slot::Which)? {
             Term::Formula(letter) => Some(letter),

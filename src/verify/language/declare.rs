@@ -2,6 +2,7 @@
 
 use super::absences::{part_absences, tell_absences};
 use super::anaphora::referring;
+use super::attachments::join_attachments;
 use super::bodies::introduced;
 use super::both::{Kinds, counting_letters, tell_both, tell_each};
 use super::capital_names::keep_capitals;
@@ -33,6 +34,7 @@ pub fn read_declarations(
     let parted = sentences.iter().map(|(line, text)| parted(text, *line));
     let mut parted: Vec<_> = parted.collect();
     keep_capitals(&mut parted);
+    join_attachments(&mut parted);
     say_where(&mut parted, lexicon, macros);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let bodies = introduced(understood, lexicon);

@@ -33,7 +33,16 @@ impl Reader<'_> {
             let lines = LINES.contains(&self.word()) || self.at_label();
             let found = self.extent(extents == [Extent::Document])?;
             let verbs = [
-                "is", "are", "hold", "holds", "defines", "define", "starts", "start",
+                "is",
+                "are",
+                "hold",
+                "holds",
+                "defines",
+                "define",
+                "starts",
+                "start",
+                "continues",
+                "continue",
             ];
             let subject = lines && verbs.contains(&self.word());
             if found.is_empty() || subject {

@@ -30,7 +30,10 @@ pub(crate) fn name_fixed_axes(declarations: &mut Vec<Declaration>, macros: &Macr
         let Some(letter) = formula(&letter, false, macros).map(Term::Formula) else {
             return;
         };
-        let direction = NounPhrase::new("unit vector", vec![(Slot::FixedIn, ground.clone())]);
+        let mut direction = NounPhrase::new("unit vector", vec![(Slot::FixedIn, ground.clone())]);
+        if matches!(&axis, Term::Phrase(axis) if axis.is("horizontal")) {
+            direction.adjectives.push("horizontal");
+        }
         let direction = Statement::one_is(letter.clone(), direction);
         told.push(Declaration {
             extent: Extent::Document,
@@ -70,8 +73,12 @@ fn fixed_axis<'s>(statement: &'s Statement, ground: &Term) -> Option<&'s Term> {
     };
     let base = slot(slots, Slot::RelativeTo);
     let of_ground = |term: &Term| name(term) == name(ground);
-    let rests = axis.adjectives == ["fixed"] && base.is_none_or(of_ground)
-        || axis.adjectives.is_empty() && axis.slot(Slot::FixedIn).is_some_and(of_ground);
+    let level = axis.is("horizontal");
+    let called = axis.adjectives.iter().filter(|a| **a != "horizontal");
+    let called: Vec<_> = called.copied().collect();
+    let rests = called == ["fixed"] && base.is_none_or(of_ground)
+        || called.is_empty() && axis.slot(Slot::FixedIn).is_some_and(of_ground)
+        || called.is_empty() && level && base.is_some_and(of_ground);
     let plain = axis.slots.iter().all(|(slot, term)| match slot {
         Slot::FixedIn => of_ground(term),
         slot => *slot == Slot::Through,

@@ -6,6 +6,7 @@ use super::heads::{
 };
 use super::kinds::name;
 use super::listed::tell_listed_moments;
+use super::loaded_bodies::name_loaded_bodies;
 use super::other_loads::tell_other_moments;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::the_axis::tell_the_axis;
@@ -113,6 +114,7 @@ fn tell_touching(declarations: &mut [Declaration]) {
 /// said of the body that the sentence names before.
 pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
     tell_the_axis(declarations);
+    name_loaded_bodies(declarations);
     share_agents(declarations);
     tell_where_forces_act(declarations);
     tell_touching(declarations);

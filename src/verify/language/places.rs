@@ -174,8 +174,28 @@ pub(crate) fn begin_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
         };
         what.slots
             .retain(|(slot, _)| !matches!(slot, Slot::From | Slot::To));
+        let along = what
+            .slots
+            .iter_mut()
+            .filter(|(slot, _)| *slot == Slot::Along);
+        along.for_each(|(_, along)| take_forwards(along, macros));
         told
     });
+}
+
+/// A rod lies along an axis whichever way it reaches from its end.
+fn take_forwards(along: &mut Term, macros: &Macros) {
+    match along {
+        Term::Phrase(axis) => axis.adjectives.retain(|adjective| *adjective != "negative"),
+        Term::Formula(opposite) => {
+            let forwards = opposite.source.trim().strip_prefix('-');
+            let simple = forwards.filter(|rest| !rest.contains(['+', '-']));
+            if let Some(axis) = simple.and_then(|rest| formula(rest.trim(), false, macros)) {
+                *along = Term::Formula(axis);
+            }
+        }
+        _ => {}
+    }
 }
 
 fn is_marked_vector(letter: &Formula) -> bool {

@@ -1,5 +1,6 @@
 //! What sentences say in the terms that the model has: one pass after another, each brings one way to say a thing to the plain one.
 
+use super::across_planes::name_axes_across;
 use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
 use super::at_zero_placed::place_at_zero;
@@ -18,6 +19,7 @@ use super::flat_bodies::turn_in_own_planes;
 use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
+use super::hung_rods::{lay_hung_rods, name_rod_lines};
 use super::in_turn::{part_letters, part_respectively};
 use super::introduce::introduce;
 use super::kinds::{
@@ -37,6 +39,7 @@ use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
 use super::origins::name_origins;
+use super::oscillations::name_oscillations;
 use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::parallel_frames::tell_parallel_frames;
@@ -82,9 +85,11 @@ pub(crate) fn in_plain_terms(
     place_points(&mut declarations);
     tell_loads(&mut declarations);
     tell_axes(&mut declarations);
+    name_axes_across(&mut declarations);
     tell_ends(&mut declarations, macros);
     move_along_lines(&mut declarations, macros);
     tell_gyration(&mut declarations, macros);
+    name_oscillations(&mut declarations, macros);
     fix_frames(&mut declarations);
     tell_shapes(&mut declarations, lexicon);
     show_frames(&mut declarations);
@@ -195,7 +200,9 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     tell_hinges(declarations);
     name_ends(declarations);
     lay_by_angles(declarations, macros);
+    lay_hung_rods(declarations, macros);
     begin_rods(declarations, macros);
+    name_rod_lines(declarations);
     name_placed_centres(declarations);
 }
 

@@ -244,6 +244,11 @@ impl Printer<'_> {
                 let start = if many { "start from" } else { "starts from" };
                 return format!("{subject} {start} {}", self.formula(formula));
             }
+            (DeclaredRole::GoesOnFrom(before), _) => {
+                let goes_on = if many { "continue" } else { "continues" };
+                let before = of_lines(before).0.to_lowercase();
+                return format!("{subject} {goes_on} {before}");
+            }
         };
         format!("{subject} {role}")
     }

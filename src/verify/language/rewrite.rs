@@ -34,6 +34,12 @@ pub(crate) fn plainly(tokens: &[Token]) -> Vec<Token> {
     tokens
 }
 
+/// The sentence as a rule says it that comes before the grammar.
+pub(crate) fn said_first(tokens: &[Token]) -> Option<Vec<Token>> {
+    let mut rules = rules().fitting(tokens).filter(|rule| rule.first);
+    rules.find_map(|rule| rule.applied(tokens))
+}
+
 /// Stands for a word that a pattern has among others.
 const CHOSEN: char = '|';
 

@@ -37,6 +37,8 @@ pub(super) struct Rule {
     pub(super) plain: Vec<Piece>,
     /// Whether it is said of a whole clause, and not of words inside of one.
     pub(super) whole: bool,
+    /// Whether it comes before the grammar, which takes the words for something else.
+    pub(super) first: bool,
     /// The words of which one must stand in the sentence, for each place of the pattern that asks for some: by their numbers.
     asks_for: Vec<Vec<usize>>,
 }
@@ -85,17 +87,20 @@ impl Rules {
     }
 }
 
-/// `pattern => plain ## example`; a rule behind `~` is one of words inside a clause.
+/// `pattern => plain ## example`; a rule behind `~` is one of words inside a clause, one behind `!` comes before the grammar.
 pub(super) fn rule(line: &str) -> Option<Rule> {
     let line = line.split("##").next()?.trim();
     if line.starts_with('#') {
         return None;
     }
+    let before = line.strip_prefix('!');
+    let line = before.unwrap_or(line).trim_start();
     let inside = line.strip_prefix('~');
     let (pattern, plain) = inside.unwrap_or(line).split_once("=>")?;
     let pieces = |text: &str| -> Vec<Piece> { text.split_whitespace().map(piece).collect() };
     Some(Rule {
         whole: inside.is_none(),
+        first: before.is_some(),
         pattern: pieces(pattern),
         plain: pieces(plain),
         asks_for: vec![],

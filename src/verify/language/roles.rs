@@ -74,6 +74,12 @@ impl Reader<'_> {
                 _ => Err(self.unexpected("formula", "the first side could stand here", &[])),
             };
         }
+        if self.take_any(&["continues", "continue"]) {
+            return match self.spoken_of()?.as_deref() {
+                Some([lines]) => Ok(vec![DeclaredRole::GoesOnFrom(lines.clone())]),
+                _ => Err(self.unexpected("line", "one line could stand here", &[])),
+            };
+        }
         if !self.take_any(&["define", "defines"]) {
             return Ok(vec![self.role()?]);
         }

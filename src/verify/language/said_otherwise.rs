@@ -10,14 +10,20 @@ use crate::notation::Macros;
 /// Brings them to these terms.
 pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) {
     for declaration in declarations.iter_mut() {
-        if let Some(sum) = sum_of_letters(&declaration.statement, macros) {
-            declaration.statement = sum;
-        } else if let Some(quantity) = vector_of(&declaration.statement) {
-            declaration.statement = quantity;
-        } else if let Some(turned) = plane_first(&declaration.statement) {
-            declaration.statement = turned;
+        let other =
+            vector_of(&declaration.statement).or_else(|| plane_first(&declaration.statement));
+        if let Some(other) = other {
+            declaration.statement = other;
         }
     }
+    let told = declarations.drain(..).flat_map(|declaration| {
+        match equations(&declaration.statement, macros) {
+            Some(said) => said.into_iter().map(|s| declaration.saying(s)).collect(),
+            None => vec![declaration],
+        }
+    });
+    let told: Vec<Declaration> = told.collect();
+    *declarations = told;
     say_besides(declarations, |statement| {
         take_speed(statement).into_iter().collect()
     });
@@ -32,24 +38,34 @@ pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) 
     }
 }
 
-/// "`$E$` is the sum of `$T$` and `$V$`": E = T + V.
-fn sum_of_letters(statement: &Statement, macros: &Macros) -> Option<Statement> {
+/// "`$E$` is the sum of `$T$` and `$V$`": E = T + V. "`$a$` and `$b$` are the squares of `$c$` and `$d$`": each is that of its own. The change of two letters is
+/// their difference.
+fn equations(statement: &Statement, macros: &Macros) -> Option<Vec<Statement>> {
     let Statement::Is { subjects, what } = statement else {
         return None;
     };
-    let ([Term::Formula(letter)], "sum") = (subjects.as_slice(), what.head) else {
-        return None;
+    let source = |term: &Term| match term {
+        Term::Formula(part) => Some(part.source.clone()),
+        _ => None,
     };
-    let parts = what.slots.iter().map(|(slot, term)| match (slot, term) {
-        (Slot::Of, Term::Formula(part)) => Some(part.source.as_str()),
+    let parts = what.slots.iter().map(|(slot, term)| match slot {
+        Slot::Of => source(term),
         _ => None,
     });
-    let parts: Vec<&str> = parts.collect::<Option<_>>()?;
-    let equation = format!("{}={}", letter.source, parts.join("+"));
-    (parts.len() > 1 && what.adjectives.is_empty())
-        .then(|| formula(&equation, false, macros))
-        .flatten()
-        .map(Statement::Holds)
+    let parts: Vec<String> = parts.collect::<Option<_>>()?;
+    let letters: Vec<String> = subjects.iter().map(source).collect::<Option<_>>()?;
+    let of_one = |sides: Vec<String>| (letters.len() == 1).then_some(sides);
+    let sides = match (what.head, parts.as_slice()) {
+        ("sum", [_, _, ..]) => of_one(vec![parts.join("+")])?,
+        ("change", [one, other]) => of_one(vec![format!("{one}-({other})")])?,
+        ("square", [_, ..]) => parts.iter().map(|part| format!("({part})^2")).collect(),
+        _ => return None,
+    };
+    let equation = |(letter, side): (&String, &String)| {
+        formula(&format!("{letter}={side}"), false, macros).map(Statement::Holds)
+    };
+    let pairs = letters.len() == sides.len() && what.adjectives.is_empty();
+    pairs.then(|| letters.iter().zip(&sides).map(equation).collect())?
 }
 
 /// "`$g$` is the vector of the acceleration of gravity on N": it is that acceleration.

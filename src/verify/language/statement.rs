@@ -304,6 +304,8 @@ pub enum DeclaredRole {
     LeftOut,
     /// "starts from `$X$`": the side that is missing before its first sign of relation.
     StartsFrom(Formula),
+    /// "continues line 5": the side that is missing is the first of the chain that stands there.
+    GoesOnFrom(Extent),
 }
 
 /// Why a sentence is not understood.

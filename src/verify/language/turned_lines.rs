@@ -6,7 +6,7 @@ use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
 use super::reader::formula;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::turned_triads::turn_triads;
 use super::turned_vectors::turn_vectors;
 use crate::notation::Macros;
@@ -60,6 +60,17 @@ fn turned(
         body @ Term::Name(_) => Line::Body(body.clone()),
         _ => return None,
     };
+    // What turns by an angle that another sentence tells does not turn by this one besides.
+    let turns = |d: &Declaration| {
+        d.statement.does("turn").is_some_and(|(subjects, slots)| {
+            let by = slot(slots, Slot::By).is_some();
+            by && subjects.contains(line.turning())
+                && slot(slots, Slot::RelativeTo) == Some(&from.frame)
+        })
+    };
+    if line.is_of_body() && declarations.iter().any(turns) {
+        return None;
+    }
     let source = match (from.reversed, forwards) {
         (false, true) => letter.source.clone(),
         (false, false) => format!("-{}", letter.source),

@@ -9,7 +9,7 @@ use super::reorder::{
     axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
     without_brackets, without_ranges,
 };
-use super::rewrite::plainly;
+use super::rewrite::{plainly, said_first};
 use super::set_off::{front_behind_subject, fronted, without_commas};
 use super::statement::Misread;
 use super::told_apart::told_apart;
@@ -46,6 +46,8 @@ pub(crate) fn understood(
     lexicon: &Lexicon,
     strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Stuck>,
 ) -> Result<Vec<Said>, Misread> {
+    let said = said_first(tokens);
+    let tokens = said.as_deref().unwrap_or(tokens);
     let first = match strictly(tokens) {
         Ok(said) => return Ok(said),
         Err(stuck) => stuck.error,

@@ -1,5 +1,6 @@
 //! A sentence as words, formulas and signs.
 
+use super::joined_formulas::{joined, sign};
 use super::statement::Misread;
 use std::borrow::Cow;
 
@@ -51,10 +52,10 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         let trimmed = rest.trim_start();
         column += rest[..rest.len() - trimmed.len()].chars().count();
         let Some(first) = trimmed.chars().next() else {
-            return Ok(with_letters(tokens));
+            return in_one_piece(with_letters(tokens), line);
         };
         if matches!(first, '.') && trimmed[1..].trim().is_empty() {
-            return Ok(with_letters(tokens));
+            return in_one_piece(with_letters(tokens), line);
         }
         if tokens.len() == MOST_TOKENS {
             return Err(wrong(
@@ -86,8 +87,10 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
             kind,
             lower: match kind {
                 Kind::Word => text.to_lowercase(),
-                // A sign may be spoken of as a word.
+                // A sign and a number may be spoken of as words.
                 Kind::Formula | Kind::Plain if SIGNS.contains(&&*text) => text.to_string(),
+                Kind::Formula if text.bytes().all(|b| b.is_ascii_digit()) => text.to_string(),
+                Kind::Formula if sign(trimmed).is_some() => text.to_string(),
                 _ => String::new(),
             },
             text: text.into_owned(),
@@ -97,6 +100,25 @@ pub(crate) fn tokens(sentence: &str, line: usize) -> Result<Vec<Token>, Misread>
         rest = &trimmed[length..];
     }
 }
+
+/// The pieces with formulas joined; a sign that is left alone is one of which a sentence may speak, or an error.
+fn in_one_piece(tokens: Vec<Token>, line: usize) -> Result<Vec<Token>, Misread> {
+    let tokens = joined(tokens);
+    let alone = tokens.iter().find(|token| {
+        let outside = token.kind == Kind::Formula && sign(&token.lower).is_some();
+        outside && !SIGNS.contains(&token.lower.as_str())
+    });
+    match alone {
+        Some(sign) => Err(wrong(line, sign.column, NO_MEANING.0, NO_MEANING.1)),
+        None => Ok(tokens),
+    }
+}
+
+/// What is wrong with a sign that joins no formulas, and what to do.
+const NO_MEANING: (&str, &str) = (
+    "this sign has no meaning in a sentence",
+    "put a formula between dollar signs",
+);
 
 /// Signs of which sentences say how they are read.
 const SIGNS: [&str; 11] = [
@@ -188,10 +210,10 @@ fn token(text: &str, first: char) -> Result<(Kind, &str, usize), (&'static str, 
         '\\' if text.starts_with("\\(") => enclosed_by(text, "\\)"),
         '\\' => Ok((Kind::Formula, raw(text), raw(text).len())),
         '.' => Err(("a second sentence begins here", "write one sentence a line")),
-        _ => Err((
-            "this sign has no meaning in a sentence",
-            "put a formula between dollar signs",
-        )),
+        _ => match sign(text) {
+            Some(sign) => Ok((Kind::Formula, sign, sign.len())),
+            None => Err(NO_MEANING),
+        },
     }
 }
 

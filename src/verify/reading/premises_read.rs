@@ -337,7 +337,7 @@ impl Builder<'_> {
                 DeclaredRole::Define(_) => Some(Role::Define),
                 DeclaredRole::LeftOut => None,
                 // It says how the line is read, and nothing of what it is.
-                DeclaredRole::StartsFrom(_) => continue,
+                DeclaredRole::StartsFrom(_) | DeclaredRole::GoesOnFrom(_) => continue,
             };
             self.reading.roles.push(LineRole {
                 reach,

@@ -324,40 +324,6 @@ impl Builder<'_> {
         })
     }
 
-    /// "`$h$` is the product of `$J$` and `$\Omega$`", "`$k$` is the quotient of `$M$` and the mass of B".
-    pub(super) fn read_product(
-        &mut self,
-        subjects: &[Term],
-        what: &NounPhrase,
-        declaration: &Declaration,
-    ) -> Option<()> {
-        let [Term::Formula(letter)] = subjects else {
-            return None;
-        };
-        let mut product = whole(1);
-        for (place, (slot, term)) in what.slots.iter().enumerate() {
-            let factor = match (slot, term) {
-                (Slot::Of, Term::Formula(factor)) if self.is_told(factor, declaration) => {
-                    self.formula_value(factor, declaration)?
-                }
-                (Slot::Of, Term::Phrase(_)) => {
-                    let factor = self.operand(term, declaration)?;
-                    self.system().value_of(&factor).ok()?
-                }
-                _ => return None,
-            };
-            let factor = factor.to_scalar().ok()?;
-            match (what.head, place) {
-                ("quotient", 1) if !factor.is_zero() => product /= factor,
-                ("quotient", 1..) => return None,
-                _ => product *= factor,
-            }
-        }
-        let product = Quantity::Known(Value::scalar(product));
-        self.denote(letter, Meaning::Quantity(product), declaration);
-        Some(())
-    }
-
     /// "`$n$` is the value of `$\omega_3$`": another letter for it.
     pub(super) fn read_value(
         &mut self,

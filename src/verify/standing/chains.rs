@@ -40,6 +40,10 @@ pub(crate) struct Chain {
     goes_on: bool,
     /// The first sides that sentences tell, and of which lines.
     told: Vec<(Reach, Node)>,
+    /// The lines that go on from others, and from which, as sentences say.
+    told_from: Vec<(Reach, Reach)>,
+    /// The first sides of the lines so far, where a line may go on from any of them.
+    firsts: Vec<(At, Node)>,
 }
 
 impl Chain {
@@ -55,10 +59,22 @@ impl Chain {
             }
             _ => None,
         });
+        let told_from = declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Role {
+                lines,
+                role: DeclaredRole::GoesOnFrom(before),
+            } => {
+                let reach = Reach::Both(Box::new(reach_of(&d.extent)), Box::new(reach_of(lines)));
+                Some((reach, reach_of(before)))
+            }
+            _ => None,
+        });
         Self {
             head: None,
             goes_on: has_rows_that_go_on(document),
             told: told.collect(),
+            told_from: told_from.collect(),
+            firsts: vec![],
         }
     }
 
@@ -84,9 +100,13 @@ impl Chain {
                 let mut told = self.told.iter();
                 let told = told.find(|(reach, _)| reach.covers(at, 0));
                 let told = told.map(|(_, side)| side.clone());
-                (told.or(self.head.take()).map(Cow::Owned), &line.sides[..])
+                let first = told.or_else(|| self.first_told(at));
+                (first.or(self.head.take()).map(Cow::Owned), &line.sides[..])
             }
         };
+        if let Some(first) = first.as_deref().filter(|_| !self.told_from.is_empty()) {
+            self.firsts.push((at.clone(), first.clone()));
+        }
         self.keep(first.as_deref());
         let Some(mut left) = first else {
             return vec![];
@@ -105,6 +125,15 @@ impl Chain {
             }
         }
         links
+    }
+
+    /// The first side of the line from which this one goes on, as a sentence says.
+    fn first_told(&self, at: &At) -> Option<Node> {
+        let mut told = self.told_from.iter();
+        let (_, before) = told.find(|(reach, _)| reach.covers(at, 0))?;
+        let mut firsts = self.firsts.iter().rev();
+        let (_, first) = firsts.find(|(at, _)| before.covers(at, 0))?;
+        Some(first.clone())
     }
 
     /// Keeps a head for rows that go on from it.
