@@ -12,6 +12,7 @@ mod delimiters;
 pub mod document;
 mod front_matter;
 mod habits;
+mod lately;
 mod latex;
 mod lexer;
 mod long_lines;
@@ -228,12 +229,14 @@ fn reading(text: &str, offset: usize, macros: &Macros) -> Reading {
         return refused;
     }
     if macros.is_empty() {
-        return parse::rows::rows(&lexer::tokens(
-            text,
-            offset,
-            Letters::Single,
-            macros.decimal_comma,
-        ));
+        let commas = macros.decimal_comma;
+        let read = |text: &str, offset: usize| {
+            parse::rows::rows(&lexer::tokens(text, offset, Letters::Single, commas))
+        };
+        return match commas {
+            true => read(text, offset),
+            false => lately::read_lately(text, offset, read),
+        };
     }
     let Some((expanded, origin)) = macros.expand(text) else {
         let span = Span::new(offset, offset + text.len());

@@ -17,7 +17,7 @@ const LAYERS: &[(&str, &[&str])] = &[
     ("recent", &[]),
     ("diagnostic", &["source"]),
     ("scalar", &[]),
-    ("notation", &["source", "diagnostic"]),
+    ("notation", &["recent", "source", "diagnostic"]),
     ("algebra", &["source", "diagnostic", "scalar", "notation"]),
     ("mechanics", &["scalar"]),
     ("motion", &["scalar", "mechanics"]),

@@ -97,7 +97,7 @@ pub(super) fn mending(document: &Document, found: &Finding) -> Option<Mending> {
 
 /// A text without blanks and marks of alignment.
 fn bare(text: &str) -> String {
-    text.chars()
-        .filter(|c| !c.is_whitespace() && *c != '&')
-        .collect()
+    let mut bare = String::with_capacity(text.len());
+    bare.extend(text.chars().filter(|c| !c.is_whitespace() && *c != '&'));
+    bare
 }

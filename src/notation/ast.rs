@@ -5,9 +5,11 @@
 //! a symbol stands for is decided for the document as a whole by `verify`. Every node knows its bytes.
 
 mod alike;
+mod packed;
 mod walk;
 
 pub(crate) use alike::Shape;
+pub(crate) use packed::{packed, unpacked};
 
 use crate::source::Span;
 use num_rational::BigRational;

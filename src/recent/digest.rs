@@ -3,32 +3,37 @@
 use std::hash::{BuildHasher, Hash, Hasher, RandomState};
 use std::sync::OnceLock;
 
-/// What a thing is looked for by: 128 bits, made with two keys that each run has of its own.
+/// What a thing is looked for by: 128 bits, made with a key that each run has of its own.
 ///
-/// Two things have one digest with a probability of 2⁻¹²⁸, and who does not know the keys can't make two that do.
+/// Two things have one digest with a probability of 2⁻¹²⁸, and who does not know the key can't make two that do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Digest([u64; 2]);
 
-static KEYS: OnceLock<[RandomState; 2]> = OnceLock::new();
+static KEY: OnceLock<RandomState> = OnceLock::new();
 
 impl Digest {
     /// Of something whose hash takes in all of it.
     pub(crate) fn of(thing: &(impl Hash + ?Sized)) -> Self {
-        let keys = KEYS.get_or_init(Default::default);
         let mut all = Bytes(Vec::with_capacity(USUAL));
         thing.hash(&mut all);
-        Self([0, 1].map(|half: usize| {
-            let mut hasher = keys[half].build_hasher();
-            hasher.write(&all.0);
-            hasher.finish()
-        }))
+        Self::of_bytes(&all.0)
+    }
+
+    /// Of some bytes.
+    pub(crate) fn of_bytes(bytes: &[u8]) -> Self {
+        let mut hasher = KEY.get_or_init(Default::default).build_hasher();
+        hasher.write(bytes);
+        let first = hasher.finish();
+        // All of the hidden state goes into both halves.
+        hasher.write_u8(0);
+        Self([first, hasher.finish()])
     }
 }
 
 /// Most things have no more bytes.
 const USUAL: usize = 1_024;
 
-/// All that a thing says of itself, so that the keys meet it in one piece.
+/// All that a thing says of itself, so that the key meets it in one piece.
 struct Bytes(Vec<u8>);
 
 impl Hasher for Bytes {

@@ -5,5 +5,6 @@
 
 mod by_terms;
 pub(crate) mod edit;
+mod pairs;
 pub(crate) mod search;
 pub(crate) mod slips;

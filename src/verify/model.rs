@@ -4,6 +4,7 @@ pub(crate) mod atoms;
 pub(crate) mod blows;
 pub(crate) mod bodies;
 pub(crate) mod changes;
+pub(crate) mod common_list;
 pub(crate) mod contact;
 pub(crate) mod dimensions;
 mod equal_angles;

@@ -119,6 +119,7 @@ use crate::notation::print::latex;
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::small::Small;
+use crate::verify::model::common_list::CommonList;
 use crate::verify::model::swings::Swing;
 use crate::verify::model::system::System;
 use crate::verify::reading::instants::Instants;
@@ -162,7 +163,7 @@ impl LineRole {
 pub(crate) struct Reading {
     pub(crate) system: System,
     pub(crate) letters: Letters,
-    pub(crate) premises: Vec<Premise>,
+    pub(crate) premises: CommonList<Premise>,
     /// How many terms the premises have in all.
     pub(crate) terms: usize,
     pub(crate) roles: Vec<LineRole>,

@@ -11,6 +11,7 @@ pub(crate) mod indices;
 pub(crate) mod integrals;
 pub(crate) mod known;
 pub(crate) mod labels;
+mod layered;
 pub(crate) mod letters;
 pub(crate) mod lower;
 pub(crate) mod matrices;

@@ -10,6 +10,9 @@ use zip::ZipArchive;
 /// What one student may hand in, in bytes of text.
 const MOST_BYTES: u64 = 1 << 20;
 
+/// Most texts have no more bytes, and are read at once.
+const USUAL: usize = 8 << 10;
+
 /// The largest archive that is opened, in bytes.
 const MOST_PACKED: u64 = 8 << 20;
 
@@ -151,7 +154,7 @@ fn ending(name: &str) -> Option<String> {
 
 /// The text of a file of no more than some bytes.
 fn text(reader: impl Read, most: u64) -> Result<String, String> {
-    let mut bytes = vec![];
+    let mut bytes = Vec::with_capacity(USUAL);
     let read = reader.take(most + 1).read_to_end(&mut bytes);
     read.map_err(|error| format!("can't be read: {error}"))?;
     if bytes.len() as u64 > most {

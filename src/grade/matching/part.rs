@@ -66,8 +66,8 @@ impl Part {
 
     /// How much two have in common, from 0 to 1, if one may be an attempt at the other.
     pub(in crate::grade) fn likeness(&self, other: &Self) -> Option<f64> {
-        let common = self.terms.intersection(&other.terms).count() as f64;
-        let most = self.terms.len().max(other.terms.len()).max(1) as f64;
+        let [fewest, most] = [usize::min, usize::max]
+            .map(|chosen| chosen(self.terms.len(), other.terms.len()).max(1) as f64);
         let same_head = self.head.is_some() && self.head == other.head;
         let same_pace = self.pace.is_some() && self.pace == other.pace;
         let least = match (same_pace, same_head) {
@@ -75,6 +75,11 @@ impl Part {
             (false, true) => ALIKE_WITH_HEAD,
             (false, false) => ALIKE,
         };
+        // They share no more terms than the shorter one has.
+        if fewest / most < least {
+            return None;
+        }
+        let common = self.terms.intersection(&other.terms).count() as f64;
         (common / most >= least).then_some(common / most)
     }
 }

@@ -1,6 +1,7 @@
 //! Trees that say the same wherever they stand.
 
-use super::{FrameLabel, Kind, Node, Number, Style, Symbol};
+use super::{DerivativeStyle, FrameLabel, Kind, Node, Number, Style, Symbol};
+use num_traits::ToPrimitive;
 
 /// A tree written down without its places, so that others can be found that are like it. No two that differ are written
 /// alike.
@@ -49,6 +50,21 @@ impl Shape {
         self.0.extend(bytes);
     }
 
+    /// The tree of a symbol.
+    pub(crate) fn of_symbol(symbol: &Symbol) -> Self {
+        let mut shape = Self::default();
+        shape.symbol(symbol);
+        shape
+    }
+
+    /// The tree of the rate of a symbol, which no frame is written beside.
+    pub(crate) fn of_rate(symbol: &Symbol, order: u8, style: DerivativeStyle) -> Self {
+        let mut shape = Self::default();
+        shape.rate(order, style, None);
+        shape.symbol(symbol);
+        shape
+    }
+
     /// Writes a tree behind what is there; `None` for one of which the text tells more than the tree does.
     pub(crate) fn tree(&mut self, node: &Node) -> Option<()> {
         match &node.kind {
@@ -89,10 +105,7 @@ impl Shape {
                 style,
                 frame,
                 ..
-            } => {
-                self.0.extend([13, *order, *style as u8]);
-                self.label(frame.as_ref());
-            }
+            } => self.rate(*order, *style, frame.as_ref()),
             Kind::Function(function, _) => self.0.extend([14, *function as u8]),
             Kind::InFrame(_, label) => {
                 self.byte(15);
@@ -106,8 +119,13 @@ impl Shape {
 
     fn numeral(&mut self, kind: u8, number: &Number) {
         self.byte(kind);
-        self.bytes(&number.value.numer().to_signed_bytes_le());
-        self.bytes(&number.value.denom().to_signed_bytes_le());
+        for part in [number.value.numer(), number.value.denom()] {
+            // What fits is not the same as what does not: that takes more bytes.
+            match part.to_i64() {
+                Some(small) => self.bytes(&small.to_le_bytes()),
+                None => self.bytes(&part.to_signed_bytes_le()),
+            }
+        }
         self.number(number.decimals.map_or(0, |decimals| decimals as usize + 1));
         self.number(number.exponent as usize);
     }
@@ -144,6 +162,11 @@ impl Shape {
             self.number(indices.len());
             indices.iter().for_each(|index| self.text(index));
         }
+    }
+
+    fn rate(&mut self, order: u8, style: DerivativeStyle, frame: Option<&FrameLabel>) {
+        self.0.extend([13, order, style as u8]);
+        self.label(frame);
     }
 
     fn label(&mut self, label: Option<&FrameLabel>) {

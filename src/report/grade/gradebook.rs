@@ -66,7 +66,7 @@ pub fn of_student(
         }
         Form::Csv | Form::Jsonl | Form::Moodle | Form::Canvas => return None,
     };
-    let text = format!("{value:#}\n");
+    let text = serde_json::to_string_pretty(&value).unwrap_or_default() + "\n";
     Some(File { path, text })
 }
 

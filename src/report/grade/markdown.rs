@@ -97,6 +97,9 @@ fn code(symbol: &str) -> String {
 
 /// The longest row of backticks in a text.
 fn longest_run(text: &str) -> usize {
+    if !text.contains('`') {
+        return 0;
+    }
     let rows = text.split(|c| c != '`').map(str::len);
     rows.max().unwrap_or(0)
 }
@@ -114,19 +117,17 @@ fn prose(clause: &str) -> String {
 
 /// Text in which no character marks anything up.
 fn plain(text: &str) -> String {
-    let mut plain = String::new();
+    let mut plain = String::with_capacity(text.len() + text.len() / 8);
     for c in text.chars() {
         match c {
             '<' => plain.push_str("&lt;"),
             '>' => plain.push_str("&gt;"),
             '&' => plain.push_str("&amp;"),
             '\n' | '\r' | '\t' => plain.push(' '),
-            _ => {
-                if "\\`*_{}[]#|!~$".contains(c) {
-                    plain.push('\\');
-                }
-                plain.push(c);
+            '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '#' | '|' | '!' | '~' | '$' => {
+                plain.extend(['\\', c]);
             }
+            _ => plain.push(c),
         }
     }
     plain

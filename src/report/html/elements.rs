@@ -109,8 +109,10 @@ impl<'d> Plain<'d> {
     /// The parts of one that is written in the plainest way and is harmless; `None` where a parser must look.
     fn of(drawn: &'d str) -> Option<Vec<Part>> {
         let bytes = drawn.as_bytes();
-        let is_odd = |b: &u8| *b < b' ' || *b == 0xef || *b == b']';
-        if !drawn.starts_with("<math") || bytes.iter().any(is_odd) {
+        let is_odd = |b: &u8| (*b < b' ') | (*b == 0xef) | (*b == b']');
+        // All of them are looked at: that is sooner done than to stop at the first.
+        let odd = bytes.iter().fold(false, |odd, b| odd | is_odd(b));
+        if odd || !drawn.starts_with("<math") {
             return None;
         }
         let mut plain = Self {
@@ -140,7 +142,8 @@ impl<'d> Plain<'d> {
 
     /// Text may stand in elements that stand in the formula.
     fn has_text(&self, text: &str) -> Option<()> {
-        if text.is_empty() {
+        let is_plain = !text.bytes().any(|b| matches!(b, b'&' | b'>'));
+        if text.is_empty() || is_plain && self.open.len() > 1 {
             return Some(());
         }
         let entities = text.split('&').skip(1);
@@ -155,7 +158,8 @@ impl<'d> Plain<'d> {
             Some(tag) => (tag.strip_suffix(' ').unwrap_or(tag), true),
             None => (tag, false),
         };
-        let (name, attributes) = tag.split_once(' ').unwrap_or((tag, ""));
+        let space = tag.bytes().position(|b| b == b' ');
+        let (name, attributes) = space.map_or((tag, ""), |at| (&tag[..at], &tag[at + 1..]));
         if !ELEMENTS.contains(&name) || !has_plain_attributes(attributes) {
             return None;
         }

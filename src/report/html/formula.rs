@@ -1,6 +1,6 @@
 //! A formula as MathML, or as its source where it can't be drawn.
 
-use crate::recent::Recent;
+use crate::recent::{Digest, Recent};
 use crate::report::html::elements::{Part, harmless_parts};
 use maud::{Markup, PreEscaped, html};
 use pulldown_latex::{Parser, RenderConfig, Storage, config::DisplayMode, push_mathml};
@@ -90,7 +90,7 @@ fn pieces(drawn: &str, parts: &[Part]) -> Vec<String> {
 }
 
 /// Formulas by their LaTeX, and whether they stand apart, as they are drawn.
-type Drawn = Recent<(String, bool), Option<Arc<str>>>;
+type Drawn = Recent<Digest, Option<Arc<str>>>;
 
 thread_local! {
     /// The formulas that were drawn last: a class writes the same ones again and again.
@@ -98,18 +98,21 @@ thread_local! {
 }
 
 /// No more bytes of drawn formulas are kept, and no formula whose source is longer.
-const MOST_BYTES: usize = 1 << 20;
+const MOST_BYTES: usize = 5 << 19;
 const LONGEST_KEPT: usize = 300;
+
+/// What each takes besides.
+const BYTES: usize = 100;
 
 fn drawn(source: &str, mode: DisplayMode) -> Option<Arc<str>> {
     if source.len() > LONGEST_KEPT {
         return draw(source, mode).map(Arc::from);
     }
     DRAWN.with_borrow_mut(|kept| {
-        let key = (source.to_owned(), mode == DisplayMode::Inline);
+        let key = Digest::of(&(source, mode == DisplayMode::Inline));
         kept.get(&key).unwrap_or_else(|| {
             let drawn: Option<Arc<str>> = draw(source, mode).map(Arc::from);
-            let bytes = drawn.as_ref().map_or(0, |drawn| drawn.len()) + source.len();
+            let bytes = drawn.as_ref().map_or(0, |drawn| drawn.len()) + BYTES;
             kept.insert(key, drawn.clone(), bytes);
             drawn
         })

@@ -4,15 +4,17 @@
 //! same. And where a term is a product of numbers, the line holds if the changed factor grows as the term would have to:
 //! then that factor alone is worked out anew.
 
-use crate::algebra::{Fraction, Polynomial};
+use crate::algebra::Fraction;
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Line, Node, Number, Operator, Symbol};
 use crate::source::Span;
+use crate::verify::correction::pairs::are_same;
 use crate::verify::correction::slips::Change;
 use crate::verify::standing::judge::{Judge, Judged};
 use crate::verify::standing::trial::Tried;
 use foldhash::HashMap;
 use num_rational::BigRational;
 use num_traits::{One, Zero};
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::rc::Rc;
 
@@ -58,17 +60,23 @@ pub(super) struct Terms<'l> {
 pub(super) struct Letters([RefCell<HashMap<Symbol, Tried>>; 3]);
 
 impl Letters {
-    /// What a letter comes to in one of these forms, as it is known or is found.
-    fn value(
+    /// What a letter comes to in one of these forms, as it is known of this document, of another one, or is found.
+    fn value<'n>(
         &self,
-        symbol: &Symbol,
-        form: usize,
-        find: impl FnOnce() -> Option<Tried>,
+        judge: &mut Judge<'_>,
+        (symbol, form): (&Symbol, usize),
+        node: impl FnOnce() -> Option<Cow<'n, Node>>,
     ) -> Option<Tried> {
         if let Some(known) = self.0[form].borrow().get(symbol) {
             return Some(known.clone());
         }
-        let found = find()?;
+        let found = match judge.number_of_letter(symbol, form) {
+            Some(number) => Tried::Number(number),
+            None => {
+                let node = node()?;
+                judge.tried_letter((symbol, form), &node)
+            }
+        };
         let mut letters = self.0[form].borrow_mut();
         letters.insert(symbol.clone(), found.clone());
         Some(found)
@@ -189,14 +197,17 @@ impl<'l> Terms<'l> {
             (Change::Squared, Kind::Symbol(own)) => Some((own, SQUARED)),
             _ => None,
         };
-        let mut find = || {
+        let changed = || {
             let mut changed = node.clone();
             put(&mut changed, place, change)?;
-            Some(judge.tried(&changed))
+            Some(changed)
         };
         match lone {
-            Some((symbol, form)) => self.letters.value(symbol, form, find),
-            None => find(),
+            Some(letter) => {
+                let node = || changed().map(Cow::Owned);
+                self.letters.value(judge, letter, node)
+            }
+            None => Some(judge.tried(&changed()?)),
         }
     }
 
@@ -237,10 +248,8 @@ fn factors<'l>(
     collect(term, &mut nodes, &mut negative);
     let (mut factors, mut product) = (vec![], Fraction::one());
     for node in nodes {
-        let known = letter(node).map(|(symbol, form)| {
-            let find = || Some(judge.tried(node));
-            letters.value(symbol, form, find)
-        });
+        let known =
+            letter(node).map(|letter| letters.value(judge, letter, || Some(Cow::Borrowed(node))));
         let own = match known {
             Some(Some(Tried::Number(own))) => own,
             Some(_) => return None,
@@ -267,24 +276,6 @@ fn letter(node: &Node) -> Option<(&Symbol, usize)> {
         },
         _ => None,
     }
-}
-
-/// Whether the products of two pairs are the same.
-fn are_same(judge: &mut Judge<'_>, one: [&Fraction; 2], other: [&Fraction; 2]) -> Option<bool> {
-    let mut all = one.into_iter().chain(other);
-    if all.all(|value| value.denominator().is_one()) && judge.knows_no_square() {
-        let [one, other] = [one, other].map(|pair| pair.map(Fraction::numerator));
-        let count = |[a, b]: [&Polynomial; 2]| match (a.len(), b.len()) {
-            (1, terms) | (terms, 1) => Some(terms),
-            _ => None,
-        };
-        let counts = count(one).zip(count(other));
-        let product = |[a, b]: [&Polynomial; 2]| Polynomial::sum_of_products(&[(a, b)]);
-        let may_be = counts.is_none_or(|(one, other)| one == other);
-        return Some(may_be && product(one) == product(other));
-    }
-    let [one, other] = [one, other].map(|[a, b]| a.clone() * b.clone());
-    Some(judge.normal(&(one - other))?.is_zero())
 }
 
 /// What is multiplied in a node, and whether a sign stands before it.

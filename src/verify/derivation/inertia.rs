@@ -93,7 +93,7 @@ impl Story {
 
     /// The letter of the author for a moment or product of inertia of this value.
     fn own_moment(&mut self, value: &Fraction) -> Option<Fraction> {
-        for letter in self.letters.reading.letters.letters.clone() {
+        for letter in &self.letters.reading.letters.letters.clone() {
             let quantity = match &letter.meaning {
                 Meaning::Quantity(quantity) if letter.reach == Reach::All => quantity,
                 _ => continue,

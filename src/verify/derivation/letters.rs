@@ -71,7 +71,7 @@ impl Letters {
 
     /// The letters of the author that stand for one variable each.
     fn name_author_letters(&mut self) {
-        for letter in self.reading.letters.letters.clone() {
+        for letter in &self.reading.letters.letters.clone() {
             self.taken
                 .extend(node(&letter.latex).map(|node| loosely(&node)));
             let Meaning::Quantity(quantity) = &letter.meaning else {
@@ -89,7 +89,7 @@ impl Letters {
                 self.hold_constant(variable);
             }
         }
-        for letter in self.reading.letters.letters.clone() {
+        for letter in &self.reading.letters.letters.clone() {
             if let Meaning::Quantity(quantity) = &letter.meaning
                 && letter.reach == Reach::All
                 && let Ok(value) = self.system().value_of(quantity)

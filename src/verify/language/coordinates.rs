@@ -9,6 +9,8 @@ pub(crate) fn tell_coordinates(declarations: &mut [Declaration], macros: &Macros
     for declaration in declarations {
         if let Some(placed) = placed_by_coordinates(&declaration.statement) {
             declaration.statement = placed;
+        } else if let Some(lying) = placed_along(&declaration.statement) {
+            declaration.statement = lying;
         }
         match &mut declaration.statement {
             Statement::Does {
@@ -45,6 +47,27 @@ fn placed_by_coordinates(statement: &Statement) -> Option<Statement> {
         subjects: vec![point.clone()],
         verb: "place",
         slots: slots.into_iter().chain(ways).collect(),
+    })
+}
+
+/// "P is placed from G by `$s$` along x": it lies there at that distance.
+fn placed_along(statement: &Statement) -> Option<Statement> {
+    let (subjects, slots) = statement.does("place")?;
+    let mut ways = slots.iter().filter(|(slot, _)| *slot == Slot::By);
+    let ((_, way), None) = (ways.next()?, ways.next()) else {
+        return None;
+    };
+    let along = slots
+        .iter()
+        .filter(|(slot, _)| *slot == Slot::Along)
+        .count();
+    let others = slots.iter().filter(|(slot, _)| *slot != Slot::By);
+    let distance = NounPhrase::new("distance", vec![(Slot::Which, way.clone())]);
+    let at = (Slot::At, Term::Phrase(Box::new(distance)));
+    (along == 1).then(|| Statement::Does {
+        subjects: subjects.to_vec(),
+        verb: "lie",
+        slots: others.cloned().chain([at]).collect(),
     })
 }
 

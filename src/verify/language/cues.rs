@@ -99,43 +99,85 @@ fn without_remarks(sentence: &str) -> Cow<'_, str> {
     Cow::Owned(kept)
 }
 
-/// The cues of a sentence in their order.
-pub(crate) fn cues(sentence: &str) -> Vec<Cue> {
+/// The words of the longest phrase.
+static LONGEST: LazyLock<usize> = LazyLock::new(|| {
+    let phrases = PHRASES.values().flatten();
+    phrases.map(|(rest, _)| 1 + rest.len()).max().unwrap_or(1)
+});
+
+/// A cue, and at which word from the end of a sentence its phrase begins and ends.
+struct Found {
+    begins: usize,
+    ends: usize,
+    cue: Cue,
+}
+
+/// The last cue of a sentence. It is looked for from the end: most sentences are long, and have it there.
+pub(crate) fn last_cue(sentence: &str) -> Option<Cue> {
     let sentence = without_remarks(sentence);
-    let words = sentence.split(|c: char| !c.is_alphanumeric() && c != '-' && c != '\'');
-    let words: Vec<Cow<'_, str>> = words
-        .filter(|word| !word.is_empty())
-        .map(in_small_letters)
-        .collect();
-    let (mut cues, mut end) = (vec![], 0);
-    for (at, first) in words.iter().enumerate() {
-        let behind = &words[at + 1..];
-        let fits = |(rest, _): &&Phrase| {
-            rest.len() <= behind.len()
-                && rest
-                    .iter()
-                    .zip(behind)
-                    .all(|(a, b)| *a == "*" || *a == b.as_ref())
-        };
-        let phrases = PHRASES.get(first.as_ref()).into_iter().flatten();
-        // A longer phrase hides the words in it; of two kinds with one phrase the first counts.
-        let longest = phrases
-            .filter(fits)
-            .rev()
-            .max_by_key(|(rest, _)| rest.len());
-        if let Some((rest, cue)) = longest.filter(|_| at >= end) {
-            cues.push(*cue);
-            end = at + 1 + rest.len();
+    let words = words_from_end(&sentence).map(in_small_letters);
+    // Those from the end up to the one that is looked at.
+    let mut behind: Vec<Cow<'_, str>> = vec![];
+    let mut found: Vec<Found> = vec![];
+    for (at, word) in words.enumerate() {
+        if let Some((more, cue)) = longest_phrase(&word, &behind) {
+            let (begins, ends) = (at, at - more);
+            found.push(Found { begins, ends, cue });
+        }
+        behind.push(word);
+        // No phrase that begins farther from the end reaches into those that were found.
+        let first = found.last().map(|found| found.begins);
+        if first.is_some_and(|first| at >= first + *LONGEST) {
+            break;
         }
     }
-    cues
+    // A phrase hides the words in it.
+    let mut left = usize::MAX;
+    let mut last = None;
+    for phrase in found.iter().rev() {
+        if phrase.begins < left {
+            left = phrase.ends;
+            last = Some(phrase.cue);
+        }
+    }
+    last
+}
+
+/// The words of a sentence, the last one first.
+fn words_from_end(sentence: &str) -> impl Iterator<Item = &str> {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '\'';
+    let is_sign = |c: char| c.is_ascii() || matches!(c, '⟨' | '⟩');
+    let in_word = move |c: char| is_plain(c) || !is_sign(c) && c.is_alphanumeric();
+    let mut rest = sentence;
+    std::iter::from_fn(move || {
+        let to_end = rest.trim_end_matches(|c| !in_word(c));
+        rest = to_end.trim_end_matches(in_word);
+        let word = &to_end[rest.len()..];
+        (!word.is_empty()).then_some(word)
+    })
+}
+
+/// The longest phrase that begins with a word: how many words it has besides, and what it makes of formulas. What stands
+/// behind the word is given from the end on.
+fn longest_phrase(first: &str, behind: &[Cow<'_, str>]) -> Option<(usize, Cue)> {
+    let fits = |(rest, _): &&Phrase| {
+        let mut both = rest.iter().zip(behind.iter().rev());
+        rest.len() <= behind.len() && both.all(|(a, b)| *a == "*" || *a == b.as_ref())
+    };
+    let phrases = PHRASES.get(first).into_iter().flatten();
+    // Of two kinds with one phrase the first counts.
+    let longest = phrases
+        .filter(fits)
+        .rev()
+        .max_by_key(|(rest, _)| rest.len());
+    longest.map(|(rest, cue)| (rest.len(), *cue))
 }
 
 fn in_small_letters(word: &str) -> Cow<'_, str> {
-    match word
-        .bytes()
-        .all(|b| b.is_ascii() && !b.is_ascii_uppercase())
-    {
+    match word.is_ascii() {
+        true if word.bytes().any(|b| b.is_ascii_uppercase()) => {
+            Cow::Owned(word.to_ascii_lowercase())
+        }
         true => Cow::Borrowed(word),
         false => Cow::Owned(word.to_lowercase()),
     }
@@ -143,17 +185,49 @@ fn in_small_letters(word: &str) -> Cow<'_, str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cue, cues};
+    use super::{Cue, last_cue, longest_phrase};
+    use std::borrow::Cow;
 
     #[test]
     fn a_remark_in_brackets_gives_no_role() {
+        let told = |sentence: &str| last_cue(sentence);
         assert_eq!(
-            cues("We find (assuming that it is constant)"),
-            [Cue::Derive]
+            told("We find (assuming that it is constant)"),
+            Some(Cue::Derive)
         );
-        assert_eq!(cues("It is small (assuming"), [Cue::Assume]);
-        assert_eq!(cues("We take the derivative of it"), [Cue::Derive]);
-        assert_eq!(cues("We take the body-frame derivative"), [Cue::Derive]);
-        assert_eq!(cues("We take"), [Cue::Assume]);
+        assert_eq!(told("It is small (assuming"), Some(Cue::Assume));
+        assert_eq!(told("We take the derivative of it"), Some(Cue::Derive));
+        assert_eq!(told("We take the body-frame derivative"), Some(Cue::Derive));
+        assert_eq!(told("We take"), Some(Cue::Assume));
+    }
+
+    #[test]
+    fn the_last_cue_is_found_from_either_end() {
+        // All cues from left to right, as phrases hide the words in them.
+        let from_left = |sentence: &str| {
+            let words: Vec<Cow<'_, str>> = sentence.split(' ').map(Cow::Borrowed).collect();
+            let (mut last, mut end) = (None, 0);
+            for at in 0..words.len() {
+                let behind: Vec<_> = words[at + 1..].iter().rev().cloned().collect();
+                let phrase = longest_phrase(&words[at], &behind).filter(|_| at >= end);
+                if let Some((more, cue)) = phrase {
+                    (last, end) = (Some(cue), at + 1 + more);
+                }
+            }
+            last
+        };
+        let some = "take the find derivative so is the case in for when x";
+        let some: Vec<&str> = some.split(' ').collect();
+        let mut number = 1_u64;
+        for _ in 0..2_000 {
+            let words = (0..10).map(|_| {
+                number = number
+                    .wrapping_mul(6_364_136_223_846_793_005)
+                    .wrapping_add(1);
+                some[(number >> 33) as usize % some.len()]
+            });
+            let sentence = words.collect::<Vec<_>>().join(" ");
+            assert_eq!(last_cue(&sentence), from_left(&sentence), "{sentence}");
+        }
     }
 }

@@ -6,6 +6,7 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::model::atoms::{Atoms, Key, Motion, fraction};
+use crate::verify::model::common_list::CommonList;
 use crate::verify::model::contact::{Contact, Plane, Round};
 use crate::verify::model::loads::Load;
 use nalgebra::{Matrix3, Vector3};
@@ -176,13 +177,13 @@ pub(crate) struct AxisPair {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct System {
     pub(crate) atoms: Atoms,
-    pub(crate) frames: Vec<Frame>,
-    pub(crate) points: Vec<Point>,
-    pub(crate) bodies: Vec<Body>,
-    pub(crate) families: Vec<Family>,
+    pub(crate) frames: CommonList<Frame>,
+    pub(crate) points: CommonList<Point>,
+    pub(crate) bodies: CommonList<Body>,
+    pub(crate) families: CommonList<Family>,
     pub(crate) planes: Vec<Plane>,
     pub(crate) contacts: Vec<Contact>,
-    pub(crate) loads: Vec<Load>,
+    pub(crate) loads: CommonList<Load>,
     /// The inertial frame.
     pub(crate) ground: FrameId,
     /// The frame on which components are worked with.

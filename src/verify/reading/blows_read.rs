@@ -64,7 +64,7 @@ impl Builder<'_> {
         if !self.reading.instants.blow {
             return self.rest_before_no_blow();
         }
-        for premise in self.reading.premises.clone() {
+        for premise in &self.reading.premises.clone() {
             for side in [Side::Before, Side::After] {
                 let then = self.reading.system.at_blow(&premise.equation, side);
                 if let Some(equation) = then.filter(|then| *then != premise.equation) {

@@ -14,6 +14,7 @@ use crate::verify::language::statement::Declaration;
 use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::KeptApart;
 use crate::verify::reading::loads_read::tells_loads;
+use crate::verify::standing::chains::known_tree;
 use crate::verify::standing::heard::{Heard, Recalled, Worded};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::memory::Wording;
@@ -195,10 +196,11 @@ impl<'a> Apart<'a> {
         (self.judge.at.cell, self.judge.at.line) = (place.cell, place.line);
         let plain = without_number(line);
         let links = self.judge.chain.links(&plain, &self.judge.at);
+        let tree = known_tree(&self.judge.reading.letters.written, &plain, &links);
         let (mut each, mut defines): (Vec<Option<Worded>>, _) = (vec![], false);
         for link in &links {
             let equal = matches!(link.relation, Relation::Equal | Relation::Defined);
-            let worked_out = equal.then(|| self.sides_of(link));
+            let worked_out = equal.then(|| self.sides_of(link, tree));
             let one = worked_out.and_then(Result::ok);
             let told = one.as_ref().filter(|_| each.iter().all(Option::is_some));
             if let Some((letter, left, _)) = told.and_then(|one| one.sides.settles.as_ref()) {

@@ -2,10 +2,12 @@
 
 use crate::notation::ast::{Kind, Line, Node, Relation};
 use crate::notation::document::{Document, Item, Row};
+use crate::recent::Digest;
 use crate::source::Span;
 use crate::verify::language::statement::{Declaration, DeclaredRole, Statement};
 use crate::verify::reading::names::{node_of, reach_of};
 use crate::verify::term::letters::{At, Letters, Reach, loosely, spelled};
+use crate::verify::term::written::WrittenSymbols;
 use std::borrow::Cow;
 
 /// Two sides and what is said of them.
@@ -165,6 +167,22 @@ pub(crate) fn may_define(links: &[Link], letters: &Letters, at: &At) -> bool {
     links
         .iter()
         .any(|link| is_new(&link.left) || is_new(&link.right))
+}
+
+/// What the only link of a line of the document is looked for by, if it has the sides of the line.
+pub(super) fn known_tree(
+    written: &WrittenSymbols,
+    line: &Line,
+    links: &[Link<'_>],
+) -> Option<Digest> {
+    let [Link { left, right, .. }] = links else {
+        return None;
+    };
+    let is_side = |side: &Cow<'_, Node>, own: &Node| matches!(side, Cow::Borrowed(side) if std::ptr::eq(*side, own));
+    match line.sides.as_slice() {
+        [first, last] if is_side(left, first) && is_side(right, last) => written.tree(line.span),
+        _ => None,
+    }
 }
 
 /// Where the first side of some links stands.

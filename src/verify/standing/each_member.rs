@@ -38,6 +38,10 @@ impl Judge<'_> {
 
     /// A letter of a link that numbers members with names, and how many these are.
     fn member_index(&self, link: &Link<'_>) -> Option<(String, usize)> {
+        let mut rules = self.reading.letters.indices.iter();
+        if !rules.any(|rule| rule.members.is_some()) {
+            return None;
+        }
         let mut found = BTreeMap::new();
         let sides = link.sides();
         sides.iter().for_each(|side| self.collect(side, &mut found));

@@ -1,6 +1,7 @@
 //! What documents say apart from laws that others said before.
 
 use crate::algebra::Fraction;
+use crate::recent::Digest;
 use crate::verify::model::system::System;
 use crate::verify::standing::apart::{Apart, Said};
 use crate::verify::standing::chains::Link;
@@ -43,10 +44,14 @@ impl Heard {
 }
 
 impl Apart<'_> {
-    /// The sides of a link, as another document had them or worked out.
-    pub(super) fn sides_of(&mut self, link: &Link<'_>) -> Result<Worded, Untold> {
+    /// The sides of a link, which may be known by a tree, as another document had them or worked out.
+    pub(super) fn sides_of(
+        &mut self,
+        link: &Link<'_>,
+        tree: Option<Digest>,
+    ) -> Result<Worded, Untold> {
         let asked = self.judge.reading.letters.written.times_asked();
-        let own = self.wording_of(link);
+        let own = self.wording_of(link, tree);
         let system = &mut self.judge.reading.system;
         let known = self.recalled.as_mut().zip(own);
         let known = known.and_then(|(recalled, own)| recalled.sides.known_of(system, own));
@@ -93,10 +98,11 @@ impl Apart<'_> {
     }
 
     /// A link as it is looked for; `None` for one that is not kept.
-    fn wording_of(&mut self, link: &Link<'_>) -> Option<Wording> {
+    fn wording_of(&mut self, link: &Link<'_>, tree: Option<Digest>) -> Option<Wording> {
         let recalled = self.recalled.as_mut()?;
         let integrals = self.judge.reading.letters.customs.integrals;
-        let of = Formula::of_link(link, link.relation as usize * 2 + usize::from(integrals))?;
+        let beside = link.relation as usize * 2 + usize::from(integrals);
+        let of = Formula::of_link(link, tree, beside)?;
         recalled.sides.wording(&self.judge.reading.system, &of)
     }
 

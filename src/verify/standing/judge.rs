@@ -10,7 +10,7 @@ use crate::verify::facts::Source;
 use crate::verify::facts::premises::Facts;
 use crate::verify::facts::small::Small;
 use crate::verify::reading::Reading;
-use crate::verify::standing::chains::{Chain, Link, head_of, may_define};
+use crate::verify::standing::chains::{Chain, Link, head_of, known_tree, may_define};
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::memory::Wording;
 use crate::verify::standing::parts::Part;
@@ -20,8 +20,7 @@ use crate::verify::standing::roles::{Purpose, RELATION};
 use crate::verify::standing::shown::Shown;
 use crate::verify::standing::verdicts::{Answer, Standing, answer};
 use crate::verify::standing::written::{
-    bounds_of_sums, ends_with_full_stop, has_open_brackets, names_an_instant, without_number,
-    written_symbols,
+    ends_with_full_stop, has_open_brackets, names_an_instant, without_number, written_symbols,
 };
 use crate::verify::term::known::Known;
 use crate::verify::term::letters::At;
@@ -111,6 +110,8 @@ pub(super) struct Again {
     pub(super) weighed: Option<(Wording, Held)>,
     /// What the document writes, as it is looked for.
     pub(super) writing: Option<Digest>,
+    /// What the link that is looked at next is looked for by, where that is known.
+    pub(super) tree: Option<Digest>,
 }
 
 impl<'a> Judge<'a> {
@@ -123,6 +124,7 @@ impl<'a> Judge<'a> {
     /// For a part of a document that is read so.
     pub(crate) fn over(document: &'a Document, part: Part, prepared: Prepared) -> Self {
         let mut reading = prepared.reading;
+        let bounds = reading.letters.written.bounds().clone();
         let recalled = prepared.links.map(|links| links.used_by(&mut reading));
         Self {
             document,
@@ -130,7 +132,7 @@ impl<'a> Judge<'a> {
             facts: prepared.facts,
             known: prepared.known,
             written: Written {
-                bounds: bounds_of_sums(document),
+                bounds,
                 trial: None,
                 small: Small::default(),
             },
@@ -173,18 +175,16 @@ impl<'a> Judge<'a> {
 
     /// Words go on a sentence, or begin the next one.
     fn hear(&mut self, text: &str) {
+        // What stands there already has no end.
+        let before = self.words.sentence.len();
         self.words.sentence.push_str(text);
-        let ends = ['.', '!', '?', ':'];
-        let end = self
-            .words
-            .sentence
-            .rmatch_indices(&ends[..3])
-            .find(|(at, _)| {
-                let rest = &self.words.sentence[at + 1..];
-                rest.starts_with([' ', '\n']) || rest.is_empty()
-            });
+        let mut ends = text.rmatch_indices(['.', '!', '?']);
+        let end = ends.find(|(at, _)| {
+            let rest = &text[at + 1..];
+            rest.starts_with([' ', '\n']) || rest.is_empty()
+        });
         if let Some((at, _)) = end {
-            let rest = self.words.sentence.split_off(at + 1);
+            let rest = self.words.sentence.split_off(before + at + 1);
             self.words.sentence = rest;
         }
         let excess = self.words.sentence.len().saturating_sub(1_000);
@@ -290,6 +290,7 @@ impl<'a> Judge<'a> {
     /// What the links of a line are worth, and its braces that do not hold.
     fn hold_line(&mut self, line: &Line, links: &[Link<'_>]) -> Vec<Held> {
         self.written.small = self.reading.small_by_remainders(&line.sides, &self.at);
+        self.again.tree = known_tree(&self.reading.letters.written, line, links);
         let mut held: Vec<Held> = links.iter().map(|link| self.hold(link)).collect();
         held.extend(self.failing_braces(line));
         held

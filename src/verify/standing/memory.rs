@@ -4,7 +4,7 @@
 //! their own, so these are told apart; what a formula itself brings up is brought up again.
 
 use crate::algebra::{Fraction, Polynomial};
-use crate::notation::ast::{Line, Shape};
+use crate::notation::ast::{Line, Node, Shape};
 use crate::recent::{Digest, Recent};
 use crate::verify::model::changes::Added;
 use crate::verify::model::system::System;
@@ -18,6 +18,9 @@ const MOST_BYTES: usize = 3 << 19;
 const BYTES: usize = 160;
 const BYTES_OF_VALUE: usize = 600;
 const BYTES_OF_TERM: usize = 60;
+
+/// What the bytes of a line begin with.
+const TREE: usize = 127;
 
 /// Documents with variables in more orders than this are not told apart, and nothing of them is kept.
 const MOST_STATES: usize = 48;
@@ -117,8 +120,10 @@ impl Wording {
 /// A formula as it is looked for.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Formula<'f> {
-    /// Its tree.
+    /// Its text, its tree and what else it hangs on.
     Tree(Vec<u8>),
+    /// The trees of a link, beside what else it hangs on.
+    Link(usize, Digest),
     /// What its sides are worth.
     Sides(Vec<&'f Polynomial>),
     /// Whether the first of these vanish where the others do, with their rates or without.
@@ -126,24 +131,31 @@ pub(crate) enum Formula<'f> {
 }
 
 impl<'f> Formula<'f> {
-    /// By the trees of a link, beside what else it hangs on; `None` where its text tells more than these do.
-    pub(crate) fn of_link(link: &Link<'_>, beside: usize) -> Option<Self> {
-        let mut shape = Shape::default();
-        shape.number(beside);
-        shape.tree(&link.left)?;
-        shape.tree(&link.right)?;
-        Some(Self::Tree(shape.into_bytes()))
+    /// By the trees of a link, which may be known, beside what else it hangs on; `None` where its text tells more than
+    /// these do.
+    pub(crate) fn of_link(link: &Link<'_>, known: Option<Digest>, beside: usize) -> Option<Self> {
+        let tree = known.or_else(|| tree_of(link.sides()))?;
+        Some(Self::Link(beside, tree))
     }
 
     /// By the trees of a line, beside how it is written.
     pub(crate) fn of_line(line: &Line, text: &str) -> Option<Self> {
         let mut shape = Shape::default();
+        shape.number(TREE);
         shape.text(text);
         for (relation, _) in &line.relations {
             shape.number(*relation as usize);
         }
         line.sides.iter().try_for_each(|side| shape.tree(side))?;
         Some(Self::Tree(shape.into_bytes()))
+    }
+
+    /// What it is looked for by. The bytes of a line begin as those of nothing else do.
+    fn digest(&self) -> Digest {
+        match self {
+            Self::Tree(bytes) => Digest::of_bytes(bytes),
+            _ => Digest::of(self),
+        }
     }
 
     /// By what its sides are worth.
@@ -156,6 +168,13 @@ impl<'f> Formula<'f> {
     pub(crate) fn of_goals(goals: &'f [Fraction], from: &'f [Fraction], rates: bool) -> Self {
         Self::Follows(goals.len(), rates, parts(goals.iter().chain(from)))
     }
+}
+
+/// Two sides as they are looked for by their trees; `None` where the text tells more than these do.
+pub(crate) fn tree_of(sides: [&Node; 2]) -> Option<Digest> {
+    let mut shape = Shape::default();
+    sides.into_iter().try_for_each(|side| shape.tree(side))?;
+    Some(Digest::of_bytes(shape.as_bytes()))
 }
 
 /// What fractions are made of.
@@ -190,10 +209,16 @@ impl<V> Recall<V> {
         }
     }
 
+    /// Whether all variables of a value are among those that the document began with.
+    pub(crate) fn is_of_beginning(&self, value: &Fraction) -> bool {
+        let mut variables = value.variables().into_iter();
+        variables.all(|variable| (variable as usize) < self.first)
+    }
+
     /// A formula beside the variables that there are; `None` where there are too many others.
     pub(crate) fn wording(&mut self, system: &System, of: &Formula<'_>) -> Option<Wording> {
         let state = self.state(system)?;
-        let of = Digest::of(of);
+        let of = of.digest();
         Some(Wording { state, of })
     }
 

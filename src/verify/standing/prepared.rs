@@ -42,7 +42,8 @@ impl Prepared {
         let atoms = &mut self.reading.system.atoms;
         self.facts.extend_all(atoms, premises);
         // Documents write rates in an order of their own. What is there before has the same number in all of them, so
-        // that what one of them found holds in the next.
+        // that what one of them found holds in the next. A dot that is tried over a rate asks for the rate of that.
+        atoms.bring_up_rates();
         atoms.bring_up_rates();
         self.links = Links::of(&self.reading);
     }

@@ -8,7 +8,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::roles::{Purpose, purpose};
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::letters::{Letter, Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeSet;
 
@@ -118,10 +118,16 @@ impl Judge<'_> {
             return false;
         };
         let letters = &self.reading.letters;
+        let is_direction = |letter: &Letter| {
+            matches!(
+                letter.meaning,
+                Meaning::Quantity(Quantity::UnitVector { .. })
+            )
+        };
+        if !letters.letters.iter().any(is_direction) {
+            return false;
+        }
         let told = letters.find(&spelled(left), &loosely(left), &self.at, 1);
-        matches!(
-            told.map(|letter| &letter.meaning),
-            Some(Meaning::Quantity(Quantity::UnitVector { .. }))
-        )
+        told.is_some_and(is_direction)
     }
 }

@@ -1,7 +1,7 @@
 //! Links that other documents of the same reading had before.
 
-use crate::algebra::{Argument, Combination, Reason};
-use crate::notation::ast::{Line, Relation};
+use crate::algebra::{Argument, Combination, Fraction, Reason};
+use crate::notation::ast::{Line, Node, Relation, Symbol};
 use crate::notation::document::Format;
 use crate::recent::Digest;
 use crate::verify::Diagnosis;
@@ -10,20 +10,30 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, Sides};
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::memory::{Formula, Memory, Recall, Wording};
+use crate::verify::standing::trial::Tried;
+use crate::verify::standing::verdicts::Standing;
 use crate::verify::term::integrals::has_integral;
 use crate::verify::term::letters::Reach;
-use std::sync::Arc;
+use foldhash::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// What links came to whose proofs and sides have more terms is not kept.
 const MOST_TERMS: usize = 1_000;
 
 /// What links came to and what put lines right, for documents that begin with the same facts.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Links(Memory<Held>, Memory<Correction>);
+pub(crate) struct Links(Memory<Held>, Memory<Correction>, Numbers);
 
 /// The same, as one document uses it.
 #[derive(Debug)]
-pub(super) struct Recalled(Recall<Held>, Recall<Correction>);
+pub(super) struct Recalled(Recall<Held>, Recall<Correction>, Numbers);
+
+/// Numbers that letters come to in each of their forms, in the variables with which the documents begin.
+type Numbers = Arc<Mutex<[HashMap<Symbol, Fraction>; FORMS]>>;
+
+/// No more letters are kept in each form: as they are, with a dot, squared.
+const MOST_LETTERS: usize = 200;
+const FORMS: usize = 3;
 
 /// What puts a line right, with places counted from its first byte, and what it took to find that.
 #[derive(Clone, Debug)]
@@ -58,7 +68,7 @@ impl Links {
     /// For a document that is read so.
     pub(super) fn used_by(self, reading: &mut Reading) -> Recalled {
         let held = Recall::new(self.0, &mut reading.system);
-        Recalled(held, Recall::new(self.1, &mut reading.system))
+        Recalled(held, Recall::new(self.1, &mut reading.system), self.2)
     }
 }
 
@@ -86,7 +96,8 @@ impl Held {
 impl Judge<'_> {
     /// What one link is worth.
     pub(super) fn hold(&mut self, link: &Link<'_>) -> Held {
-        let wording = self.wording(link);
+        let tree = self.again.tree.take();
+        let wording = self.wording(link, tree);
         if let Some(held) = self.recall(wording) {
             return held;
         }
@@ -136,14 +147,21 @@ impl Judge<'_> {
         held
     }
 
+    /// Whether a link with these sides, in this document or another one, was found to be entailed.
+    pub(super) fn is_entailed_by_sides(&mut self, sides: &[(Fraction, Fraction)]) -> bool {
+        let wording = self.beside(&Formula::of_sides(sides));
+        let held = self.recall(wording);
+        held.is_some_and(|held| held.standing == Standing::Entailed)
+    }
+
     /// A link as it is looked for; `None` for one that is not kept.
-    fn wording(&mut self, link: &Link<'_>) -> Option<Wording> {
+    fn wording(&mut self, link: &Link<'_>, tree: Option<Digest>) -> Option<Wording> {
         let relation = link.relation;
         if !matches!(relation, Relation::Equal | Relation::Defined) {
             return None;
         }
         self.again.recalled.as_ref()?;
-        let of = Formula::of_link(link, relation as usize)?;
+        let of = Formula::of_link(link, tree, relation as usize)?;
         self.beside(&of)
     }
 
@@ -185,6 +203,43 @@ impl Judge<'_> {
             let system = &self.reading.system;
             recalled.1.keep(system, of.wording, Arc::new(correction), 0);
         }
+    }
+
+    /// The number that a letter came to in one of its forms in another document that is read alike.
+    pub(crate) fn number_of_letter(&self, symbol: &Symbol, form: usize) -> Option<Fraction> {
+        let recalled = self.again.recalled.as_ref()?;
+        if self.facts.are_too_many || !self.reading.settled.is_empty() {
+            return None;
+        }
+        // Nothing in it is ever half done.
+        let numbers = recalled.2.lock().unwrap_or_else(PoisonError::into_inner);
+        numbers[form].get(symbol).cloned()
+    }
+
+    /// What a letter in one of its forms comes to, which is kept if it is a number and the same for all documents.
+    pub(crate) fn tried_letter(&mut self, (symbol, form): (&Symbol, usize), node: &Node) -> Tried {
+        let state = |own: &Self| {
+            let reading = &own.reading;
+            (
+                reading.system.atoms.changes(),
+                reading.letters.written.times_asked(),
+            )
+        };
+        let before = state(self);
+        let found = self.tried(node);
+        let same =
+            state(self) == before && self.reading.settled.is_empty() && !self.facts.are_too_many;
+        if let (Tried::Number(number), Some(recalled)) = (&found, &self.again.recalled)
+            && same
+            && recalled.0.is_of_beginning(number)
+        {
+            let numbers = recalled.2.lock();
+            let numbers = &mut numbers.unwrap_or_else(PoisonError::into_inner)[form];
+            if numbers.len() < MOST_LETTERS {
+                numbers.insert(symbol.clone(), number.clone());
+            }
+        }
+        found
     }
 
     fn recall(&mut self, wording: Option<Wording>) -> Option<Held> {

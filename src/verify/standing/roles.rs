@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Line, Node};
 use crate::notation::print::latex;
 use crate::recent::Recent;
 use crate::verify::Role;
-use crate::verify::language::cues::{Cue, cues, denies_assumption};
+use crate::verify::language::cues::{Cue, denies_assumption, last_cue};
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
@@ -122,7 +122,7 @@ fn told_by(sentence: &str) -> Purpose {
     let (before, behind) = last_paragraph(sentence);
     let goes_on = behind.chars().find(|c| c.is_alphabetic());
     let anew = goes_on.is_some_and(char::is_uppercase);
-    for cue in cues(if anew { behind } else { sentence }) {
+    if let Some(cue) = last_cue(if anew { behind } else { sentence }) {
         purpose = match cue {
             Cue::Derive => Purpose {
                 derived: true,
@@ -191,14 +191,13 @@ impl Judge<'_> {
 
 /// What stands behind the last formula that ends a paragraph, and what stands before that, if there is one.
 fn last_paragraph(sentence: &str) -> (Option<&str>, &str) {
-    let ends = |(at, _): &(usize, &str)| {
-        sentence[at + RELATION.len()..]
-            .trim_start_matches(' ')
-            .starts_with('\n')
-    };
-    let end = sentence.rmatch_indices(RELATION).find(ends);
-    match end {
-        Some((at, _)) => (Some(&sentence[..at]), &sentence[at + RELATION.len()..]),
+    let ends = sentence.rmatch_indices('\n').map(|(at, _)| at);
+    let mut before = ends.filter_map(|at| {
+        let before = sentence[..at].trim_end_matches(' ');
+        before.strip_suffix(RELATION)
+    });
+    match before.next() {
+        Some(before) => (Some(before), &sentence[before.len() + RELATION.len()..]),
         None => (None, sentence),
     }
 }

@@ -3,10 +3,12 @@
 use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
+use crate::recent::Digest;
+use crate::verify::standing::memory::tree_of;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
-use crate::verify::term::written::{TURNING_RATE, Written};
-use foldhash::HashSet;
+use crate::verify::term::written::{TURNING_RATE, Writing, Written};
+use foldhash::{HashMap, HashSet};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -72,7 +74,7 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
     found
 }
 
-/// The symbols that a document writes, spelled.
+/// The symbols that a document writes, spelled, and its lines.
 pub(crate) fn written_symbols(document: &Document) -> Written {
     fn collect<'n>(
         node: &'n Node,
@@ -99,6 +101,7 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
             .for_each(|child| collect(child, seen, found));
     }
     let (mut seen, mut found) = (HashSet::default(), BTreeSet::new());
+    let mut trees = HashMap::default();
     for item in &document.items {
         let Item::Formula(formula) = item else {
             continue;
@@ -108,17 +111,34 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
                 Row::Line(line) => {
                     let sides = line.sides.iter();
                     sides.for_each(|side| collect(side, &mut seen, &mut found));
+                    let others = trees.entry(line.span);
+                    others
+                        .and_modify(|tree| *tree = None)
+                        .or_insert_with(|| line_by_tree(line));
                 }
                 Row::Expression(node) => collect(node, &mut seen, &mut found),
                 Row::Unreadable { .. } => {}
             }
         }
     }
-    Arc::new(found)
+    Arc::new(Writing {
+        symbols: found,
+        trees,
+        bounds: bounds_of_sums(document),
+    })
+}
+
+/// What a line of two sides is looked for by; `None` where its text tells more than its tree does.
+fn line_by_tree(line: &Line) -> Option<Digest> {
+    let plain = without_number(line);
+    match plain.sides.as_slice() {
+        [left, right] if !line.continues => tree_of([left, right]),
+        _ => None,
+    }
 }
 
 /// Up to where sums over each index run, by the letter that a document writes there most often; the first of those.
-pub(super) fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
+fn bounds_of_sums(document: &Document) -> BTreeMap<String, String> {
     let mut found: BTreeMap<String, Vec<(String, usize)>> = BTreeMap::new();
     for item in &document.items {
         let Item::Formula(formula) = item else {

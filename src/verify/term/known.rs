@@ -5,6 +5,7 @@ use crate::notation::ast::{DerivativeStyle, Factor, Kind, Node, Operator, Shape 
 use crate::recent::Recent;
 use crate::verify::model::system::{FrameId, System};
 use crate::verify::term::at_instants::{Kept, Present};
+use crate::verify::term::layered::Layered;
 use crate::verify::term::letters::{Letters, Meaning};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::quantity::Quantity;
@@ -33,10 +34,10 @@ struct KnownValue {
 /// The order of a rate, and how it is written.
 type Rated = (u8, DerivativeStyle);
 
-/// Values of products for many documents that begin with the same variables.
+/// Values of symbols, their rates and products, by their trees, for many documents that begin with the same variables.
 #[derive(Clone, Debug)]
 struct Common {
-    products: Arc<Mutex<Recent<Vec<u8>, KnownValue>>>,
+    values: Arc<Mutex<Recent<Vec<u8>, Arc<KnownValue>>>>,
     /// How many variables they begin with, and how much of everything else.
     first: usize,
     extent: [usize; 8],
@@ -51,11 +52,11 @@ pub(crate) struct Known {
     values: Arc<HashMap<String, Vec<(Quantity, Valued)>>>,
     /// Values of symbols in which no letter is new, where a symbol means the same on every line; and the frames on whose
     /// axes they are.
-    symbols: HashMap<Symbol, KnownValue>,
+    symbols: Layered<Symbol, Arc<KnownValue>>,
     /// The same of the rates of such symbols that are scalars, by their orders and how they are written.
-    rates: HashMap<Symbol, Vec<(Rated, KnownValue)>>,
+    rates: Vec<(Rated, Layered<Symbol, Arc<KnownValue>>)>,
     /// The same of products of such symbols that are scalars, by their trees.
-    products: HashMap<Vec<u8>, KnownValue>,
+    products: HashMap<Vec<u8>, Arc<KnownValue>>,
     common: Option<Common>,
     /// Values at other instants than the present one, and integrals from there.
     pub(crate) kept: Vec<Kept>,
@@ -101,8 +102,11 @@ impl Known {
 
     /// From here on many documents go on: what they find of products in these variables alone is kept for the others.
     pub(crate) fn share(&mut self, system: &System) {
+        self.symbols.share();
+        let rates = self.rates.iter_mut();
+        rates.for_each(|(_, rates)| rates.share());
         self.common = Some(Common {
-            products: Arc::new(Mutex::new(Recent::of(MOST_COMMON))),
+            values: Arc::new(Mutex::new(Recent::of(MOST_COMMON))),
             first: system.atoms.len(),
             extent: system.extent(),
         });
@@ -110,12 +114,11 @@ impl Known {
 
     /// As [`Known::forget_symbols`] for another document of those that go on from the same.
     pub(crate) fn forget_what_hangs_on_writing(&mut self) {
-        self.symbols.retain(|_, known| !known.by_written);
+        self.symbols.retain(|known| !known.by_written);
         self.products.retain(|_, known| !known.by_written);
-        self.rates.retain(|_, rates| {
-            rates.retain(|(_, known)| !known.by_written);
-            !rates.is_empty()
-        });
+        for (_, rates) in &mut self.rates {
+            rates.retain(|known| !known.by_written);
+        }
     }
 
     /// Whether something is a number, or a symbol or its rate that was found to be a scalar.
@@ -146,6 +149,15 @@ impl Known {
                 self.keep(&letter.latex, quantity, &value);
             }
         }
+    }
+
+    fn keep_rate(&mut self, symbol: &Symbol, rated: Rated, known: Arc<KnownValue>) {
+        let place = self.rates.iter().position(|(own, _)| *own == rated);
+        let place = place.unwrap_or_else(|| {
+            self.rates.push((rated, Layered::default()));
+            self.rates.len() - 1
+        });
+        self.rates[place].1.insert(symbol.clone(), known);
     }
 
     pub(super) fn keep(&mut self, letter: &str, quantity: &Quantity, value: &Valued) {
@@ -183,7 +195,8 @@ impl Lowering<'_> {
             self.note(known.by_written);
             return Ok(value);
         }
-        let (value, known) = self.by_itself(|own| own.new_symbol(symbol));
+        let tree = || Tree::of_symbol(symbol);
+        let (value, known) = self.common_or_by_itself(tree, |own| own.new_symbol(symbol));
         if let Some(known) = known {
             self.known.symbols.insert(symbol.clone(), known);
         }
@@ -200,18 +213,18 @@ impl Lowering<'_> {
         if !self.means_the_same() {
             return find(self);
         }
-        let rates = self.known.rates.get(symbol).into_iter().flatten();
-        let known = rates.into_iter().find(|(own, _)| *own == rated);
-        if let Some((_, known)) = known {
+        let mut rates = self.known.rates.iter();
+        let rates = rates.find(|(own, _)| *own == rated);
+        if let Some(known) = rates.and_then(|(_, rates)| rates.get(symbol)) {
             let value = known.value.clone();
             self.frames_seen.extend(&known.frames);
             self.note(known.by_written);
             return Ok(value);
         }
-        let (value, known) = self.by_itself(find);
+        let tree = || Tree::of_rate(symbol, rated.0, rated.1);
+        let (value, known) = self.common_or_by_itself(tree, find);
         if let Some(known) = known.filter(|known| known.value.is_scalar()) {
-            let rates = self.known.rates.entry(symbol.clone()).or_default();
-            rates.push((rated, known));
+            self.known.keep_rate(symbol, rated, known);
         }
         value
     }
@@ -223,9 +236,9 @@ impl Lowering<'_> {
             return self.product(factors);
         }
         let tree = tree.as_bytes();
-        if let Some(known) = self.common_product(tree) {
+        if let Some(known) = self.in_common(tree) {
             self.frames_seen.extend(&known.frames);
-            return Ok(known.value);
+            return Ok(known.value.clone());
         }
         if !factors.iter().all(|f| self.known.is_scalar(&f.node)) {
             return self.product(factors);
@@ -267,17 +280,42 @@ impl Lowering<'_> {
         Ok(product)
     }
 
-    /// The value of a product that another document had.
-    fn common_product(&self, tree: &[u8]) -> Option<KnownValue> {
-        let common = self.known.common.as_ref()?;
-        let products = common.products.lock();
-        // Nothing in it is ever half done.
-        let mut products = products.unwrap_or_else(PoisonError::into_inner);
-        products.get(tree)
+    /// The value of a symbol or of its rate, as another document had it or by itself, and how it is kept. Scalars are kept
+    /// for other documents too.
+    fn common_or_by_itself(
+        &mut self,
+        tree: impl FnOnce() -> Tree,
+        find: impl FnOnce(&mut Self) -> Valued,
+    ) -> (Valued, Option<Arc<KnownValue>>) {
+        if self.known.common.is_none() {
+            return self.by_itself(find);
+        }
+        let tree = tree();
+        if let Some(known) = self.in_common(tree.as_bytes()) {
+            self.frames_seen.extend(&known.frames);
+            return (Ok(known.value.clone()), Some(known));
+        }
+        let before = self.system.atoms.len();
+        let (value, known) = self.by_itself(find);
+        let same = self.system.atoms.len() == before;
+        let scalar = known.as_ref().filter(|known| known.value.is_scalar());
+        if let Some(known) = scalar.filter(|_| same) {
+            self.keep_in_common(tree.as_bytes(), known);
+        }
+        (value, known)
     }
 
-    /// Keeps the value of a product for other documents, if it is the same in each.
-    fn keep_in_common(&self, tree: &[u8], known: &KnownValue) {
+    /// The value of a symbol, a rate or a product that another document had.
+    fn in_common(&self, tree: &[u8]) -> Option<Arc<KnownValue>> {
+        let common = self.known.common.as_ref()?;
+        let values = common.values.lock();
+        // Nothing in it is ever half done.
+        let mut values = values.unwrap_or_else(PoisonError::into_inner);
+        values.get(tree)
+    }
+
+    /// Keeps the value of a symbol, a rate or a product for other documents, if it is the same in each.
+    fn keep_in_common(&self, tree: &[u8], known: &Arc<KnownValue>) {
         let Some(common) = &self.known.common else {
             return;
         };
@@ -286,9 +324,9 @@ impl Lowering<'_> {
             && !known.by_written
             && self.system.extent() == common.extent;
         if is_same {
-            let products = common.products.lock();
-            let mut products = products.unwrap_or_else(PoisonError::into_inner);
-            products.insert(tree.to_vec(), known.clone(), 1);
+            let values = common.values.lock();
+            let mut values = values.unwrap_or_else(PoisonError::into_inner);
+            values.insert(tree.to_vec(), known.clone(), 1);
         }
     }
 
@@ -303,17 +341,19 @@ impl Lowering<'_> {
     fn by_itself(
         &mut self,
         value: impl FnOnce(&mut Self) -> Valued,
-    ) -> (Valued, Option<KnownValue>) {
+    ) -> (Valued, Option<Arc<KnownValue>>) {
         let written = &self.letters.written;
         let asked = written.times_asked();
         let unknown = std::mem::take(&mut self.unknown);
         let frames = std::mem::take(&mut self.frames_seen);
         let value = value(self);
         let known = value.as_ref().ok().filter(|_| self.unknown.is_empty());
-        let known = known.map(|value| KnownValue {
-            value: value.clone(),
-            frames: self.frames_seen.clone(),
-            by_written: written.times_asked() != asked,
+        let known = known.map(|value| {
+            Arc::new(KnownValue {
+                value: value.clone(),
+                frames: self.frames_seen.clone(),
+                by_written: written.times_asked() != asked,
+            })
         });
         self.unknown.extend(unknown);
         self.frames_seen.extend(frames);

@@ -12,10 +12,11 @@ pub(crate) fn raised(number: &str) -> String {
 
 /// A label without spaces and commas.
 pub(crate) fn plain(label: &str) -> String {
-    label
-        .chars()
-        .filter(|c| !c.is_whitespace() && *c != ',')
-        .collect()
+    let is_left_out = |c: char| c.is_whitespace() || c == ',';
+    match label.contains(is_left_out) {
+        true => label.replace(is_left_out, ""),
+        false => label.to_owned(),
+    }
 }
 
 /// A piece of LaTeX without its commands: `\\text{d}m` is `{d}m`.

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::model::blows::Side;
+use crate::verify::model::common_list::CommonList;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::customs::Customs;
 use crate::verify::term::labels::raised;
@@ -229,12 +230,12 @@ pub(crate) struct IndexRule {
 /// All that is known of writings.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Letters {
-    pub(crate) letters: Vec<Letter>,
-    pub(crate) marks: Vec<MarkRule>,
-    pub(crate) labels: Vec<LabelRule>,
-    pub(crate) indices: Vec<IndexRule>,
+    pub(crate) letters: CommonList<Letter>,
+    pub(crate) marks: CommonList<MarkRule>,
+    pub(crate) labels: CommonList<LabelRule>,
+    pub(crate) indices: CommonList<IndexRule>,
     /// Frames by the labels that they may have.
-    pub(crate) frame_names: Vec<(String, FrameId)>,
+    pub(crate) frame_names: CommonList<(String, FrameId)>,
     /// The frame of components that say no other.
     pub(crate) component_frame: FrameId,
     pub(crate) customs: Customs,

@@ -238,6 +238,10 @@ impl<'a> Lowering<'a> {
             if term.negative {
                 value = value.negated();
             }
+            if let (Some(one), Some(other)) = (sum.as_number(), value.as_number()) {
+                *one += std::mem::replace(other, Fraction::zero());
+                continue;
+            }
             let custom = self.custom();
             (sum, value) = self.beside_quaternions(sum, value)?;
             sum = self.system.plus(&sum, &value, custom)?;

@@ -137,6 +137,12 @@ impl Value {
         self.rows == 1 && self.columns == 1
     }
 
+    /// The number that it is, of which nothing says that it has axes.
+    pub(super) fn as_number(&mut self) -> Option<&mut Fraction> {
+        let plain = self.is_scalar() && self.basis == [Basis::Any; 2];
+        self.entries.first_mut().filter(|_| plain)
+    }
+
     pub(crate) fn is_vector(&self) -> bool {
         self.rows == 3 && self.columns == 1
     }

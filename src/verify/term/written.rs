@@ -1,15 +1,27 @@
 //! The symbols that a document writes.
 
 use crate::recent::Digest;
+use crate::source::Span;
+use foldhash::HashMap;
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// What stands among the symbols where a rate on axes that turn is written, with a d that is marked or a δ.
 pub(crate) const TURNING_RATE: &str = "d'/dt";
 
-/// The symbols that a document writes, spelled. All who go through it share them.
-pub(crate) type Written = Arc<BTreeSet<String>>;
+/// What a document writes. All who go through it share it.
+pub(crate) type Written = Arc<Writing>;
+
+/// The symbols that a document writes, spelled, and its lines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Writing {
+    pub(crate) symbols: BTreeSet<String>,
+    /// What lines of two sides are looked for by, each by its bytes; none where a macro makes several of the same bytes.
+    pub(crate) trees: HashMap<Span, Option<Digest>>,
+    /// Up to where sums run over an index, as the document writes it first.
+    pub(crate) bounds: BTreeMap<String, String>,
+}
 
 /// The symbols that a document writes, spelled, and those of which it writes a rate. It keeps in mind what was asked: two
 /// documents that answer it alike are read alike.
@@ -48,7 +60,7 @@ impl WrittenSymbols {
         if !self.asked.borrow().contains(symbol) {
             self.asked.borrow_mut().insert(symbol.to_owned());
         }
-        self.written.contains(symbol) || self.of_sentences.contains(symbol)
+        self.written.symbols.contains(symbol) || self.of_sentences.contains(symbol)
     }
 
     /// What stands for a character in symbols like one: `A` for `X` where `R_AB` is written and `R_XY` is asked for.
@@ -58,7 +70,7 @@ impl WrittenSymbols {
         if !self.shapes.borrow().contains(&asked) {
             self.shapes.borrow_mut().push(asked);
         }
-        like(&self.written, shape, wild)
+        like(&self.written.symbols, shape, wild)
     }
 
     /// How often something was asked so far.
@@ -71,9 +83,19 @@ impl WrittenSymbols {
         self.times.0.set(self.times.0.get() + 1);
     }
 
-    /// What the document writes, as it is looked for.
+    /// The symbols that the document writes, as they are looked for.
     pub(crate) fn digest(&self) -> Digest {
-        Digest::of(&*self.written)
+        Digest::of(&self.written.symbols)
+    }
+
+    /// Up to where sums run over an index.
+    pub(crate) fn bounds(&self) -> &BTreeMap<String, String> {
+        &self.written.bounds
+    }
+
+    /// What a line of the document is looked for by, if it has two sides.
+    pub(crate) fn tree(&self, line: Span) -> Option<Digest> {
+        self.written.trees.get(&line).copied().flatten()
     }
 
     /// The symbols of another document take the place of these.
@@ -86,14 +108,15 @@ impl WrittenSymbols {
     }
 
     /// Whether a document that writes other symbols answers alike what was asked so far.
-    pub(crate) fn answers_as(&self, other: &BTreeSet<String>) -> bool {
+    pub(crate) fn answers_as(&self, other: &Writing) -> bool {
+        let (own, other) = (&self.written.symbols, &other.symbols);
         let asked = self.asked.borrow();
         let mut asked = asked.iter();
         let shapes = self.shapes.borrow();
-        asked.all(|symbol| self.written.contains(symbol) == other.contains(symbol))
+        asked.all(|symbol| own.contains(symbol) == other.contains(symbol))
             && shapes
                 .iter()
-                .all(|(shape, wild)| like(&self.written, shape, wild) == like(other, shape, wild))
+                .all(|(shape, wild)| like(own, shape, wild) == like(other, shape, wild))
     }
 }
 

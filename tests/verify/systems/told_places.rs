@@ -185,3 +185,50 @@ $$ \vec v_2=l\dot q_1\,\vec n_1+c_2(\dot q_1+\dot q_2)\,\vec n_2 $$
 ";
     judged_in_any_order(&sentences, text, "p");
 }
+
+#[test]
+fn a_point_may_be_placed_so_far_along_an_axis() {
+    let text = r"
+$$ r = s i $$
+$$ r\cdot j = s $$
+";
+    for axis in ["x", "$i$", "the first axis of B", "the axis x of B"] {
+        let sentences = format!(
+            r"N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of B.
+$i, j, k$ are the unit vectors along x, y, z.
+G is the mass centre of the body.
+$r$ is the position of P from G.
+P is placed from G by $s$ along {axis}."
+        );
+        assert_eq!(judged(&sentences, text), "pr", "{axis}");
+    }
+}
+
+#[test]
+fn coordinates_place_a_point() {
+    let text = r"
+$$ r = a i + b j + c k $$
+$$ r = a i + c j + b k $$
+";
+    for said in [
+        "P is placed from G by $a$ along x, $b$ along y and $c$ along z.",
+        "P is placed from G by the column $(a,b,c)$ on B.",
+        "P has the coordinates $(a,b,c)$ on B from G.",
+        "The position of P from G is $(a,b,c)$ on B.",
+        "The coordinates of P on B from G are $a$, $b$, $c$.",
+        "$a$, $b$, $c$ are the coordinates of P relative to G on B.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+B is a frame fixed in the body.
+x, y, z are the axes of B.
+$i, j, k$ are the unit vectors along x, y, z.
+G is the mass centre of the body.
+$r$ is the position of P from G.
+{said}"
+        );
+        assert_eq!(judged(&sentences, text), "pr", "{said}");
+    }
+}
