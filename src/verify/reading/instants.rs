@@ -13,6 +13,8 @@ pub(crate) struct Instants {
     pub(crate) candidates: Vec<Fraction>,
     /// The letters that are values at instants.
     pub(crate) letters: BTreeSet<Variable>,
+    /// Those of them that are times.
+    pub(crate) times: BTreeSet<Variable>,
     /// Those of them of which nothing was made.
     pub(crate) untied: BTreeSet<Variable>,
     /// How often first integrals were looked for.

@@ -157,7 +157,10 @@ impl Builder<'_> {
         if !atoms.derivative(&own).is_zero() {
             return None;
         }
-        self.reading.instants.letters.extend(own.as_variable());
+        let is_time = then == atoms.time();
+        let instants = &mut self.reading.instants;
+        instants.letters.extend(own.as_variable());
+        instants.times.extend(own.as_variable().filter(|_| is_time));
         Some(then - own)
     }
 

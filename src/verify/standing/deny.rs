@@ -12,6 +12,7 @@ use crate::verify::language::messages;
 use crate::verify::model::atoms::Nature;
 use crate::verify::model::loads::Called;
 use crate::verify::model::system::BodyId;
+use crate::verify::reading::Premise;
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::{Held, nothing_made_of};
 use crate::verify::standing::judge::Judge;
@@ -129,6 +130,18 @@ impl Judge<'_> {
         fails
     }
 
+    /// Whether nothing ties a letter to the motion whose value at an instant it is: of a time only what is kept in the motion
+    /// may.
+    fn is_untied(&self, letter: Variable) -> bool {
+        let instants = &self.reading.instants;
+        let kept = |premise: &Premise| {
+            let of_instant = matches!(premise.source, Source::Instant(_));
+            of_instant && premise.equation.variables().contains(&letter)
+        };
+        let is_tied = || self.reading.settled.iter().any(kept);
+        instants.untied.contains(&letter) || instants.times.contains(&letter) && !is_tied()
+    }
+
     /// Shows numbers in which a link fails, or tells why there are none.
     fn deny_by_world(&mut self, held: &mut Held, residuals: &[Fraction]) {
         let small = self.small_here();
@@ -146,12 +159,8 @@ impl Judge<'_> {
             held.doubt = Some(messages::HOLDS_AT_INSTANT.into());
             return;
         }
-        let untied = &self.reading.instants.untied;
-        if residuals
-            .iter()
-            .flat_map(Fraction::variables)
-            .any(|v| untied.contains(&v))
-        {
+        let mut letters = residuals.iter().flat_map(Fraction::variables);
+        if letters.any(|letter| self.is_untied(letter)) {
             held.doubt = Some(messages::UNTIED.into());
             return;
         }

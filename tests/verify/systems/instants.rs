@@ -132,3 +132,26 @@ $f_0$ is the value of $f$ at $x=0$.
 ";
     assert!(!judged(sentences, "$$ f_0 = a $$\n").contains('p'));
 }
+
+#[test]
+fn the_time_of_an_instant_is_not_denied_where_the_motion_is_not_worked_out() {
+    let sentences = r"
+N is an inertial frame.
+X, Y, Z are the axes of N.
+Z is the upward vertical.
+G is the mass centre of the block.
+The block is a particle of mass $m$.
+G moves along X.
+$F$ is the total force on the block along X.
+$u$ is the velocity of G relative to N along X.
+$F=-\mu m g$
+$g$ is the acceleration of gravity.
+$u_0$ is the value of $u$ at $t=0$.
+$t_1$ is the value of $t$ at $u=0$.
+";
+    let text = r"
+$$ m\dot u = -\mu m g $$
+$$ u_0 = \mu g t_1 $$
+";
+    assert_eq!(judged(sentences, text), "pu");
+}
