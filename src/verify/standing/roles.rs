@@ -174,7 +174,14 @@ impl Judge<'_> {
         let letters = &self.reading.letters;
         let found = letters.find(&spelled(left), &loosely(left), &self.at, 0);
         let own = |quantity: &Quantity| {
-            matches!(quantity, Quantity::Scalar { .. } | Quantity::Vector { .. })
+            matches!(
+                quantity,
+                Quantity::Scalar { .. }
+                    | Quantity::Vector { .. }
+                    | Quantity::UnitVector { .. }
+                    | Quantity::MemberScalar { .. }
+                    | Quantity::MemberVector { .. }
+            )
         };
         let told = found.is_some_and(
             |letter| matches!(&letter.meaning, Meaning::Quantity(quantity) if !own(quantity)),
