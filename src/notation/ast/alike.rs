@@ -133,29 +133,7 @@ impl Shape {
     fn symbol(&mut self, symbol: &Symbol) {
         self.byte(2);
         self.text(&symbol.name);
-        let Style {
-            vector,
-            hat,
-            bar,
-            tensor,
-            calligraphic,
-            tilde,
-            upright,
-            other,
-        } = symbol.style;
-        let marks = [
-            vector,
-            hat,
-            bar,
-            tensor,
-            calligraphic,
-            tilde,
-            upright,
-            other,
-            symbol.resultant,
-            symbol.variation,
-        ];
-        let marks = marks.into_iter().map(usize::from);
+        let marks = marks(symbol).into_iter().map(usize::from);
         self.number(marks.fold(0, |all, mark| all << 1 | mark));
         self.byte(symbol.primes);
         for indices in [&symbol.subscripts, &symbol.superscripts] {
@@ -175,4 +153,30 @@ impl Shape {
             self.text(&label.text);
         }
     }
+}
+
+/// What is drawn on a symbol and stands before it.
+pub(super) fn marks(symbol: &Symbol) -> [bool; 10] {
+    let Style {
+        vector,
+        hat,
+        bar,
+        tensor,
+        calligraphic,
+        tilde,
+        upright,
+        other,
+    } = symbol.style;
+    [
+        vector,
+        hat,
+        bar,
+        tensor,
+        calligraphic,
+        tilde,
+        upright,
+        other,
+        symbol.resultant,
+        symbol.variation,
+    ]
 }

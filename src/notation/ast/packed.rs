@@ -2,6 +2,7 @@
 //!
 //! Places are counted from a first byte, and a tree may be unpacked as if it began at another one.
 
+use super::alike::marks;
 use super::{
     Bracket, DerivativeStyle, Factor, FrameLabel, Kind, Line, Node, Number, Operator, Relation,
     Style, Symbol, Term,
@@ -206,32 +207,6 @@ impl Packer {
         self.text(&label.text);
         self.span(label.span)
     }
-}
-
-/// What is drawn on a symbol and stands before it.
-fn marks(symbol: &Symbol) -> [bool; 10] {
-    let Style {
-        vector,
-        hat,
-        bar,
-        tensor,
-        calligraphic,
-        tilde,
-        upright,
-        other,
-    } = symbol.style;
-    [
-        vector,
-        hat,
-        bar,
-        tensor,
-        calligraphic,
-        tilde,
-        upright,
-        other,
-        symbol.resultant,
-        symbol.variation,
-    ]
 }
 
 /// What is left to unpack.
