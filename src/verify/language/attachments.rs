@@ -55,7 +55,7 @@ fn is_massless(tokens: &[Token], part: &str) -> bool {
     };
     ARTICLES.contains(&article.lower.as_str())
         && noun.lower == part
-        && WITHOUT_MASS.iter().any(|words| said(words))
+        && WITHOUT_MASS.iter().any(said)
 }
 
 /// A sentence with the body in the place of its part.
