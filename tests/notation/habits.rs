@@ -94,7 +94,7 @@ fn small_deltas_are_a_rate_where_nothing_is_varied() {
     assert_eq!(markdown(framed), "(d/dt@xyz vec:L) = vec:N");
     let varied =
         r"In $\delta t$ the body turns by $\delta\theta$: $\omega = \frac{\delta\theta}{\delta t}$";
-    assert!(markdown(varied).ends_with("omega = (/ delta:theta delta:t)"));
+    assert!(markdown(varied).ends_with("omega = (d/dt@δ theta)"));
     let mean = r"$$\omega = \frac{\Delta\theta}{\Delta t}$$";
     assert_eq!(markdown(mean), "omega = (/ delta:theta delta:t)");
 }

@@ -20,8 +20,8 @@ fn a_ring_or_a_marked_d_is_the_rate_on_axes_that_turn() {
         (r"\frac{d^* L}{dt}", "(d/dt@' L)"),
         (r"\frac{d^{*}L}{dt}", "(d/dt@' L)"),
     ]);
-    // A quotient of changes is no rate until somebody says so.
-    each_reads(&[(r"\frac{\delta L}{\delta t}", "(/ delta:L delta:t)")]);
+    // What is written with small deltas keeps their label until somebody says what it means.
+    each_reads(&[(r"\frac{\delta L}{\delta t}", "(d/dt@δ L)")]);
     each_plain_reads(&[("L̊ + ω × L = M", "(+ (dot@' L) (* omega × L)) = M")]);
 }
 

@@ -33,18 +33,10 @@ impl Reader<'_> {
             let lines = LINES.contains(&self.word()) || self.at_label();
             let found = self.extent(extents == [Extent::Document])?;
             let verbs = [
-                "is",
-                "are",
-                "hold",
-                "holds",
-                "defines",
-                "define",
-                "starts",
-                "start",
-                "continues",
-                "continue",
+                "is", "are", "hold", "holds", "defines", "define", "starts", "start",
             ];
-            let subject = lines && verbs.contains(&self.word());
+            let verb = verbs.contains(&self.word()) || self.word().starts_with("continue");
+            let subject = lines && verb;
             if found.is_empty() || subject {
                 self.at = start;
                 return Ok(extents);

@@ -73,12 +73,10 @@ fn fixed_axis<'s>(statement: &'s Statement, ground: &Term) -> Option<&'s Term> {
     };
     let base = slot(slots, Slot::RelativeTo);
     let of_ground = |term: &Term| name(term) == name(ground);
-    let level = axis.is("horizontal");
     let called = axis.adjectives.iter().filter(|a| **a != "horizontal");
     let called: Vec<_> = called.copied().collect();
     let rests = called == ["fixed"] && base.is_none_or(of_ground)
-        || called.is_empty() && axis.slot(Slot::FixedIn).is_some_and(of_ground)
-        || called.is_empty() && level && base.is_some_and(of_ground);
+        || called.is_empty() && axis.slot(Slot::FixedIn).is_some_and(of_ground);
     let plain = axis.slots.iter().all(|(slot, term)| match slot {
         Slot::FixedIn => of_ground(term),
         slot => *slot == Slot::Through,

@@ -44,9 +44,8 @@ pub(super) fn name_planes(declarations: &mut Vec<Declaration>) {
         else {
             continue;
         };
-        let upright = slots
-            .iter()
-            .any(|(slot, about)| *slot == Slot::About && about.is_noun(VERTICAL));
+        let mut about = slots.iter().filter(|(slot, _)| *slot == Slot::About);
+        let upright = about.any(|(_, about)| is_upright_axis(about));
         let plane = matches!(subjects.as_slice(), [Term::Phrase(plane)] if is_upright_plane(plane));
         if plane && upright {
             let frame = Term::Name("vertical plane".to_owned());
@@ -129,6 +128,13 @@ pub(super) fn motions(declarations: &[Declaration]) -> impl Iterator<Item = Moti
             angle,
         })
     })
+}
+
+/// "the vertical", "the axis through O along the vertical", "the vertical axis through O"
+fn is_upright_axis(about: &Term) -> bool {
+    about.is_noun(VERTICAL)
+        || matches!(about, Term::Phrase(axis) if axis.head == "axis"
+            && (axis.is("vertical") || axis.slot(Slot::Along).is_some_and(|a| a.is_noun(VERTICAL))))
 }
 
 /// "a vertical plane", maybe fixed in space.

@@ -7,7 +7,7 @@ use super::statement::{
 };
 use crate::notation::ast::{Kind, Symbol};
 use crate::notation::document::Row;
-use crate::verify::term::letters::spelled;
+use crate::notation::print::latex;
 
 /// "`\frac{^X d}{dt}` is the rate seen from X, for any frame X" is the rule for a frame at the upper left of a rate; "`a_{b}` is
 /// the same as `a_b`" needs no sentence.
@@ -68,11 +68,11 @@ fn rule_by_example(statement: &Statement) -> Option<Statement> {
         Term::Formula(Formula {
             row: Row::Expression(of),
             ..
-        }) => spelled(of),
+        }) => latex(of),
         Term::Name(letter) => letter.clone(),
         _ => return None,
     };
-    (of == spelled(operand)).then(|| Statement::Notation {
+    (of == latex(operand)).then(|| Statement::Notation {
         sign: Sign::Operator(written.clone()),
         meaning: NotationMeaning::Noun(NounPhrase::new(
             "rate",

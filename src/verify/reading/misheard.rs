@@ -120,8 +120,17 @@ fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
     let opposite = DIRECTIONS.contains(&what.head) && subjects.iter().any(turned);
     let counted = what.head != "angle" && has_sense(what);
     let per_unit = what.head != MASS && is_per_unit(what);
-    let less = only_names(what.head) && what.all(Slot::With).any(|how| how.is_noun(EXCEPT));
+    let less = only_names(what.head) && what.all(Slot::With).any(takes_away);
     with || less || together || opposite || counted || per_unit || has_reversed(&what.slots)
+}
+
+/// "except the sign"; of a total load other loads may be left out.
+fn takes_away(how: &Term) -> bool {
+    let load = |of: &Term| matches!(of, Term::Phrase(load) if is_load(load.head));
+    match how {
+        Term::Phrase(except) => except.head == EXCEPT && !except.all(Slot::Of).all(load),
+        _ => false,
+    }
 }
 
 /// Whether something is done in a way that makes another thing of it.

@@ -370,6 +370,6 @@ The disc turns relative to A about x at the rate $p$.
 $w$ is the angular velocity of the disc relative to N.
 {said}"
         );
-        assert_eq!(judged(&sentences, text), "u", "{said}");
+        assert_eq!(verdicts(&sentences, text).0, "u", "{said}");
     }
 }
