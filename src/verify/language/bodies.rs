@@ -305,6 +305,10 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             (unknown, end) = (true, end + 1);
             continue;
         }
+        if is_part_called_frame(&tokens[start..=end]) {
+            (whole, end) = (true, end + 1);
+            continue;
+        }
         if known(tokens, end, lexicon) {
             let rest: Vec<&str> = tokens[end..]
                 .iter()
@@ -357,7 +361,19 @@ fn tells_apart(tokens: &[Token], lexicon: &Lexicon) -> bool {
     let thing = |words: &[&str]| lexicon.find(words, &[Class::Thing]);
     let upright = both[0] == "right" && RIGHT.contains(&both[1]);
     let known = thing(&both).is_some_and(|known| known.length == 2);
-    APART.contains(&both[0]) && !upright && !known && thing(&both[1..]).is_some()
+    let body = thing(&both[1..]).is_some() || is_part_called_frame(&tokens[..2]);
+    APART.contains(&both[0]) && !upright && !known && body
+}
+
+/// "the rear frame": of a vehicle, and no frame of reference.
+fn is_part_called_frame(tokens: &[Token]) -> bool {
+    match tokens {
+        [which, frame] => {
+            let side = ["rear", "front", "upper", "lower"].contains(&which.lower.as_str());
+            side && frame.lower == "frame"
+        }
+        _ => false,
+    }
 }
 
 /// Whether an entry of the lexicon begins with the words that stand here.
