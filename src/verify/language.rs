@@ -128,6 +128,7 @@ mod suspended;
 pub(crate) mod terms;
 mod the_axis;
 mod there;
+mod times;
 mod together;
 mod told_anew;
 mod told_apart;

@@ -4,6 +4,7 @@ use super::clause::as_formula;
 use super::reader::COPULAS;
 use super::sentence_parts::joins;
 use super::statement::{Declaration, Misread, Statement, Term, Touched};
+use super::times::begins_with_time;
 use super::unread::CONDITIONS;
 use super::words::{Kind, Token};
 
@@ -41,7 +42,7 @@ fn is_condition(token: &Token) -> bool {
 /// Whether a sentence may begin with a part of the document.
 pub(super) fn may_be_limited(tokens: &[Token]) -> bool {
     let first = tokens.first();
-    first.is_some_and(|first| PLACING.contains(&first.lower.as_str()))
+    first.is_some_and(|first| PLACING.contains(&first.lower.as_str())) && !begins_with_time(tokens)
 }
 
 /// Nouns of what a thing is, however it moves. A shape may lack something.

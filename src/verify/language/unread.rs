@@ -8,6 +8,7 @@ use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
 use super::statement::{Formula, Sign, Touched};
+use super::times::begins_with_time;
 use super::words::{Kind, Token};
 use crate::notation::document::Row;
 
@@ -162,6 +163,7 @@ impl Reader<'_> {
         let sign_first = self.at_sign_with_article();
         self.at = start;
         let things = !sign_first && self.is_about_things();
+        self.at = start;
         // How things move and what acts on them changes no letter but those that tell of it.
         let adds = things && self.says_what_a_thing_does() || !sign_first && self.adds_a_premise();
         let moving = adds && !of_a_part;
@@ -270,7 +272,8 @@ impl Reader<'_> {
             return false;
         }
         let conditional = CONDITIONS.contains(&self.word())
-            || self.word() == "at" && ARTICLES.contains(&self.word_at(1));
+            || self.word() == "at" && ARTICLES.contains(&self.word_at(1))
+            || begins_with_time(self.tokens.get(self.at..).unwrap_or_default());
         let start = self.at;
         let mut from_start = |says: fn(&mut Self) -> bool| {
             let said = says(self);

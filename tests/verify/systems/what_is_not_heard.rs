@@ -295,3 +295,29 @@ $$ w = 2\dot a z $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn what_acts_in_words_that_are_not_understood_changes_no_kinematics() {
+    let text = r"
+$$ v = \dot r $$
+$$ F = m \dot v $$
+$$ F = 0 $$
+";
+    for said in [
+        "A force with the component $F_B$ along the first axis of N acts at B.",
+        "The drag is $-d$ times the whatever of the air.",
+        "Between the time $0$ and the time $t_2$ the ball glides somehow.",
+        "After the impact the ball does whatever it likes.",
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+P is a particle of mass $m$.
+O is a point fixed in N.
+$r$ is the position of P from O.
+$v$ is the velocity of P relative to N.
+$F$ is the total force on P.
+{said}"
+        );
+        assert_eq!(verdicts(&sentences, text).0, "ppu", "{said}");
+    }
+}
