@@ -20,6 +20,7 @@ mod angles_about;
 mod at_zero;
 mod at_zero_placed;
 mod attachments;
+mod axes_by_number;
 mod axes_by_vectors;
 mod bodies;
 mod body_axes;

@@ -4,6 +4,7 @@ use super::across_planes::name_axes_across;
 use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
 use super::at_zero_placed::place_at_zero;
+use super::axes_by_number::name_axes_by_number;
 use super::axes_by_vectors::name_axes_by_vectors;
 use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, turn_to_frames};
 use super::centres::centre_shapes;
@@ -117,6 +118,7 @@ fn name_things(
     name_by_agents(&mut declarations);
     tell_own_notation(&mut declarations);
     name_frames_by_numbers(&mut declarations, macros);
+    name_axes_by_number(&mut declarations);
     tell_coordinates(&mut declarations, macros);
     name_origins(&mut declarations);
     tell_frames_of_parts(&mut declarations);

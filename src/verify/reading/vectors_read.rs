@@ -52,6 +52,19 @@ impl Builder<'_> {
         }
     }
 
+    /// "z is the unit vector along the angular momentum", of an axis by its name.
+    fn read_axes_along(&mut self, subjects: &[Term], along: &Quantity, declaration: &Declaration) {
+        for name in subjects.iter().filter(|s| matches!(s, Term::Name(_))) {
+            let Some((frame, axis)) = self.axis_of_frame(name) else {
+                continue;
+            };
+            let axis = Quantity::Axis(frame, axis);
+            if axis != *along && self.hold_parallel(&axis, along, declaration).is_none() {
+                self.say_unused(declaration);
+            }
+        }
+    }
+
     pub(super) fn read_vectors(
         &mut self,
         subjects: &[Term],
@@ -65,6 +78,9 @@ impl Builder<'_> {
         let Some(along) = self.said_direction(what, declaration) else {
             return self.say_unused(declaration);
         };
+        if let Some(along) = &along {
+            self.read_axes_along(subjects, along, declaration);
+        }
         for formula in formulas(subjects) {
             let carried = carried.or_else(|| self.said_fixed(formula));
             // Where a frame turns about it, that sentence has told more.

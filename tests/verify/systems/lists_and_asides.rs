@@ -298,3 +298,45 @@ $p, q, r$ are the components of $w$ {axes}."
         assert_eq!(judged(&sentences, text), "ppr", "{axes}");
     }
 }
+
+#[test]
+fn an_axis_may_be_named_by_its_number_alone() {
+    let text = r"
+$$ M_3 = I_3 w_3 $$
+$$ M_3 = I_1 w_3 $$
+";
+    for (axes, along) in [
+        ("The axes 1, 2, 3 of K are principal axes of the top.", "3"),
+        ("1, 2, 3 are the axes of K. The axes of K are principal axes of the top.", "3"),
+        ("The axes of K are principal axes of the top.", "the axis 3"),
+    ] {
+        let sentences = format!(
+            r"N is an inertial frame.
+K is a frame fixed in the top.
+{axes}
+G is the mass centre of the top.
+$I_1$, $I_1$, $I_3$ are the principal moments of the top about G on K.
+$M_3$ is the angular momentum of the top about G relative to N along {along}.
+$w_1, w_2, w_3$ are the components on K of the angular velocity of K relative to N."
+        );
+        assert_eq!(judged(&sentences, text), "pr", "{axes}");
+    }
+}
+
+#[test]
+fn an_axis_may_be_along_a_vector() {
+    let sentences = r"
+N is an inertial frame.
+x, y, z are the axes of N.
+$e_1, e_2, e_3$ are the unit vectors along x, y and z.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$H$ is the angular momentum of the body about G relative to N.
+z is the unit vector along the angular momentum of the body about G relative to N.
+";
+    let text = r"
+$$ H\cdot e_1 = 0 $$
+$$ H\cdot e_3 = 0 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
