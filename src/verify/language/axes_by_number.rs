@@ -59,10 +59,6 @@ fn put_axes(slots: &mut [(Slot, Term)], frame: &Term) {
             }
             _ => {
                 if let Term::Phrase(inner) = term {
-                    let which = inner.slot(Slot::Which).and_then(number);
-                    if inner.head == "axis" && which.is_some() && inner.slots.len() == 1 {
-                        inner.slots.push((Slot::Of, frame.clone()));
-                    }
                     put_axes(&mut inner.slots, frame);
                 }
             }

@@ -305,10 +305,9 @@ fn an_axis_may_be_named_by_its_number_alone() {
 $$ M_3 = I_3 w_3 $$
 $$ M_3 = I_1 w_3 $$
 ";
-    for (axes, along) in [
-        ("The axes 1, 2, 3 of K are principal axes of the top.", "3"),
-        ("1, 2, 3 are the axes of K. The axes of K are principal axes of the top.", "3"),
-        ("The axes of K are principal axes of the top.", "the axis 3"),
+    for axes in [
+        "The axes 1, 2, 3 of K are principal axes of the top.",
+        "1, 2, 3 are the axes of K. The axes of K are principal axes of the top.",
     ] {
         let sentences = format!(
             r"N is an inertial frame.
@@ -316,7 +315,7 @@ K is a frame fixed in the top.
 {axes}
 G is the mass centre of the top.
 $I_1$, $I_1$, $I_3$ are the principal moments of the top about G on K.
-$M_3$ is the angular momentum of the top about G relative to N along {along}.
+$M_3$ is the angular momentum of the top about G relative to N along 3.
 $w_1, w_2, w_3$ are the components on K of the angular velocity of K relative to N."
         );
         assert_eq!(judged(&sentences, text), "pr", "{axes}");
