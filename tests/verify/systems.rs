@@ -260,7 +260,7 @@ $$ \vec M = \mathbf J\dot{\vec\omega} + \sum_n j_n\dot\Omega_n\hat a_n + \vec\om
 fn nothing_is_denied_while_a_sentence_is_not_taken_in() {
     let sentences = format!("{BODY}The body wobbles relative to N.\n");
     let text = r"$$ \vec L = 0 $$";
-    assert_eq!(judged(&sentences, text), "u");
+    assert_eq!(verdicts(&sentences, text).0, "u");
     assert_eq!(judged(BODY, text), "r");
 }
 

@@ -305,10 +305,6 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             (unknown, end) = (true, end + 1);
             continue;
         }
-        if is_part_called_frame(&tokens[start..=end]) {
-            (whole, end) = (true, end + 1);
-            continue;
-        }
         if known(tokens, end, lexicon) {
             let rest: Vec<&str> = tokens[end..]
                 .iter()
@@ -319,7 +315,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             let other = lexicon.find(&rest, &other).is_some();
             let thing = lexicon.find(&[word], &[Class::Thing]).is_some();
             let verb = lexicon.find(&rest, &[Class::Verb]).is_some();
-            whole = thing && !other && !verb;
+            whole = thing && !other && !verb || is_part_called_frame(&tokens[start..=end]);
             let adjective = end == start && lexicon.find(&[word], &[Class::Adjective]).is_some();
             if !whole && (!adjective || other) {
                 break;
