@@ -321,3 +321,11 @@ $F$ is the total force on P.
         assert_eq!(verdicts(&sentences, text).0, "ppu", "{said}");
     }
 }
+
+#[test]
+fn a_cancelled_term_may_be_told_to_vanish() {
+    let text = "$$ v = \\dot r $$\n";
+    let heard = |said: &str| verdicts(said, text).1.is_empty();
+    assert!(heard("A cancelled term is read as if it stood there."));
+    assert!(!heard("A cancelled term is read as if it were zero."));
+}
