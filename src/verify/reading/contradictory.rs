@@ -14,26 +14,24 @@ const ACROSS: [&str; 2] = ["radius", "diameter"];
 /// Shapes with a single axis.
 const ROUND: [&str; 6] = ["disc", "ring", "rod", "cylinder", "tube", "cone"];
 
-/// The sentences, those that contradict another one as such that were not understood.
-pub(super) fn unless_contradictory(declarations: Vec<Declaration>) -> Vec<Declaration> {
+/// The sentences, those that contradict another one as such that were not understood; and these by their texts, each with that
+/// other one.
+pub(super) fn unless_contradictory(
+    declarations: Vec<Declaration>,
+) -> (Vec<Declaration>, BTreeMap<String, String>) {
     let others = contradicted(&declarations);
-    let all = declarations.into_iter().zip(others);
-    all.map(|(declaration, other)| match other {
-        Some(_) => declaration.not_understood(),
-        None => declaration,
-    })
-    .collect()
-}
-
-/// The sentences that contradict another one, each with that one.
-pub(super) fn contradictions(declarations: &[Declaration]) -> BTreeMap<String, String> {
-    let others = contradicted(declarations);
-    let all = declarations.iter().zip(others);
+    let all = declarations.iter().zip(&others);
     let pairs = all.filter_map(|(declaration, other)| {
-        let other = declarations[other?].sentence().to_owned();
+        let other = declarations[(*other)?].sentence().to_owned();
         Some((declaration.sentence().to_owned(), other))
     });
-    pairs.collect()
+    let contradictions = pairs.collect();
+    let all = declarations.into_iter().zip(others);
+    let left = all.map(|(declaration, other)| match other {
+        Some(_) => declaration.not_understood(),
+        None => declaration,
+    });
+    (left.collect(), contradictions)
 }
 
 /// For each sentence the place of the first other one that it contradicts.

@@ -11,7 +11,7 @@ use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::language::{is_body, is_load, only_names};
-use crate::verify::reading::contradictory::{contradictions, unless_contradictory};
+use crate::verify::reading::contradictory::unless_contradictory;
 use crate::verify::reading::corners_read::CORNER;
 use crate::verify::reading::densities_read::is_per_unit;
 use crate::verify::reading::instants_read::instant_of;
@@ -41,9 +41,8 @@ const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
 pub(super) fn heard(
     declarations: Vec<Declaration>,
 ) -> (Vec<Declaration>, BTreeMap<String, String>) {
-    let contradictions = contradictions(&declarations);
-    let listed = of_each_frame(unless_contradictory(declarations));
-    let all = listed.into_iter().map(with_zero_said);
+    let (left, contradictions) = unless_contradictory(declarations);
+    let all = of_each_frame(left).into_iter().map(with_zero_said);
     (all.map(heard_or_unread).collect(), contradictions)
 }
 
