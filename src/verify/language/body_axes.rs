@@ -31,28 +31,18 @@ pub(crate) fn turn_to_frames(declarations: &mut [Declaration]) {
     }
 }
 
-/// "The axis of the cylinder is parallel to x", "it points along x", "x is the axis of the cylinder" of an axis of the inertial
-/// frame: the cylinder is round about x.
+/// "The axis of the cylinder is parallel to x", "it points along x": the cylinder is round about x.
 fn tell_parallel_axes(declarations: &mut [Declaration]) {
     let round = |d: &Declaration| match &d.statement {
         Statement::Is { subjects, what } if ROUND.contains(&what.head) => subjects.clone(),
         _ => vec![],
     };
     let round: Vec<Term> = declarations.iter().flat_map(round).collect();
-    let fixed = inertial_axes(declarations);
     for declaration in declarations {
         let said = match &declaration.statement {
             Statement::Premise(own) if own.adjectives == ["parallel"] => {
                 match own.slots.as_slice() {
                     [(Slot::Of, body), (Slot::With, axis)] => Some((own, body, axis)),
-                    _ => None,
-                }
-            }
-            Statement::Is { subjects, what } if what.head == "axis" => {
-                match (subjects.as_slice(), what.slots.as_slice()) {
-                    ([axis], [(Slot::Of, body)]) if fixed.contains(axis) => {
-                        Some((what, body, axis))
-                    }
                     _ => None,
                 }
             }
@@ -73,30 +63,6 @@ fn tell_parallel_axes(declarations: &mut [Declaration]) {
                 Statement::one_is(body.clone(), NounPhrase::new("symmetric", about));
         }
     }
-}
-
-/// The named axes of the inertial frame, which no other frame shares.
-fn inertial_axes(declarations: &[Declaration]) -> Vec<Term> {
-    let frames = |inertial: bool| {
-        declarations.iter().flat_map(move |d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == "axes" => {
-                let of = what.slot(Slot::Of);
-                let own = declarations.iter().any(|d| match &d.statement {
-                    Statement::Is { subjects, what } => {
-                        what.head == "frame"
-                            && what.is("inertial")
-                            && subjects.iter().any(|frame| Some(frame) == of)
-                    }
-                    _ => false,
-                });
-                subjects.iter().filter(|_| own == inertial).collect()
-            }
-            _ => vec![],
-        })
-    };
-    let others: Vec<&Term> = frames(false).collect();
-    let fixed = frames(true).filter(|axis| !others.contains(axis));
-    fixed.cloned().collect()
 }
 
 /// Shapes that have one axis.

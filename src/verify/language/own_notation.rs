@@ -59,11 +59,6 @@ fn rule_by_example(statement: &Statement) -> Option<Statement> {
     else {
         return None;
     };
-    // A label behind the whole rate is one of that letter's rate, and no rule is told by it.
-    let source: String = written.source.split_whitespace().collect();
-    if !source.ends_with("t}") {
-        return None;
-    }
     let of = match of {
         Term::Formula(Formula {
             row: Row::Expression(of),

@@ -1,4 +1,5 @@
-//! Sums of letters, planes of symmetry, speeds of what moves, and potential energies counted from a surface, in the terms of other sentences.
+//! Sums of letters, planes of symmetry, speeds of what moves, and potential energies counted from a surface, in the terms of
+//! other sentences.
 
 use super::heads::{CONTACT_POINT, PLANE_OF_SYMMETRY, POTENTIAL_ENERGY};
 use super::is_quantity;
@@ -38,8 +39,8 @@ pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) 
     }
 }
 
-/// "`$E$` is the sum of `$T$` and `$V$`": E = T + V. "`$a$` and `$b$` are the squares of `$c$` and `$d$`": each is that of its own. The change of two letters is
-/// their difference.
+/// "`$E$` is the sum of `$T$` and `$V$`": E = T + V. "`$a$` and `$b$` are the squares of `$c$` and `$d$`": each is that of its
+/// own. The change of two letters is their difference.
 fn equations(statement: &Statement, macros: &Macros) -> Option<Vec<Statement>> {
     let Statement::Is { subjects, what } = statement else {
         return None;
