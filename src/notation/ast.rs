@@ -202,6 +202,20 @@ pub struct FrameLabel {
     pub span: Span,
 }
 
+impl FrameLabel {
+    /// Of axes that turn, for which d' stands (Landau and Lifshitz, Mechanics, § 36).
+    pub(crate) const TURNING: &str = "'";
+    /// Of a rate that is written with δ in the place of d, until the document tells what that means.
+    pub(crate) const DELTA: &str = "δ";
+
+    pub(crate) fn new(text: &str, span: Span) -> Self {
+        Self {
+            text: text.to_owned(),
+            span,
+        }
+    }
+}
+
 /// A letter or a word with everything that hangs on it.
 #[derive(Clone, Debug, PartialEq, Eq, Default)]
 pub struct Symbol {

@@ -1,9 +1,8 @@
 //! What a document shows as a whole of how its author writes: decimal commas, letters above that are labels, `δ/δt`.
 
-use crate::notation::ast::{DerivativeStyle, Kind, Node, Symbol};
+use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::parse::COMMA_BETWEEN_DIGITS;
-use crate::notation::parse::derivative::{DELTA, turning};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Whether a document parts decimals by a comma: it writes `2{,}5`, or `2,5` in several places, and nowhere `2.5`.
@@ -162,7 +161,7 @@ fn varied(node: &Node) -> Option<&Symbol> {
 
 /// Whether a rate is written with δ: `\frac{\delta L}{\delta t}`.
 fn is_rate_of_deltas(node: &Node) -> bool {
-    matches!(&node.kind, Kind::TimeDerivative { frame: Some(label), .. } if label.text == DELTA)
+    matches!(&node.kind, Kind::TimeDerivative { frame: Some(label), .. } if label.text == FrameLabel::DELTA)
 }
 
 /// `\frac{\delta L}{\delta t}` is a rate where no `\delta L` stands alone; beside `\frac{dL}{dt}` it is the rate on axes that
@@ -204,7 +203,7 @@ fn label_rates_of_deltas(node: &mut Node, total: bool) {
         Kind::TimeDerivative { operand, frame, .. } if of_deltas => {
             let component =
                 matches!(&operand.kind, Kind::Symbol(symbol) if !symbol.subscripts.is_empty());
-            *frame = (total && !component).then(|| turning(node.span));
+            *frame = (total && !component).then(|| FrameLabel::new(FrameLabel::TURNING, node.span));
         }
         Kind::InFrame(inner, label) => {
             if let Kind::Group(_, rate) = &mut inner.kind

@@ -116,7 +116,12 @@ impl Reader<'_> {
                 self.heading = Some((level, String::new(), range.start));
             }
             Event::End(TagEnd::Heading(_)) => self.end_heading(range),
-            Event::End(TagEnd::Paragraph) if self.heading.is_some() => self.end_heading(range),
+            Event::End(TagEnd::Paragraph) if self.heading.is_some() => {
+                if let Some((_, text, _)) = &mut self.heading {
+                    *text = text.trim().trim_matches('=').to_owned();
+                }
+                self.end_heading(range);
+            }
             Event::Start(Tag::CodeBlock(_)) => self.code += 1,
             Event::End(TagEnd::CodeBlock) => {
                 self.code = self.code.saturating_sub(1);
@@ -248,7 +253,7 @@ impl Reader<'_> {
             let span = self.span(&range);
             self.items.push(Item::Heading {
                 level,
-                text: text.trim().trim_matches('=').trim().to_owned(),
+                text: text.trim().to_owned(),
                 span,
             });
         }

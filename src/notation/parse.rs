@@ -7,7 +7,7 @@ mod arrows;
 mod bracket;
 mod call;
 mod columns;
-pub(super) mod derivative;
+mod derivative;
 mod environment;
 mod factor;
 mod frame_label;

@@ -8,7 +8,6 @@ use super::letter::is_mark;
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::notation::plain_words;
 use crate::notation::token::{Lexeme, Token};
-pub(in crate::notation) use differential::{DELTA, turning};
 use differential::{Differential, above, script, total, total_mark, trim};
 pub(super) use differential::{mark, order};
 

@@ -1,7 +1,7 @@
 //! Letters, and what is drawn on and around them.
 
 use super::Parser;
-use crate::notation::ast::{DerivativeStyle, Kind, Node, Style, Symbol};
+use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node, Style, Symbol};
 use crate::notation::token::{Lexeme, Token};
 
 const GREEK: &[&str] = &[
@@ -186,7 +186,7 @@ impl<'t, 'a> Parser<'t, 'a> {
 
     /// `\overset{\circ}{L}`: the rate of L on axes that turn, as books of mechanics in German write it.
     fn ringed(&mut self, operand: Node, order: u8, start: usize) -> Node {
-        let label = super::derivative::turning(self.since(start));
+        let label = FrameLabel::new(FrameLabel::TURNING, self.since(start));
         let node = self.scripts(dotted(operand, order), start);
         super::frame_label::in_frame(node, label)
     }

@@ -1,6 +1,6 @@
 //! Rules for operators: d/dt, δ/δt, `a\times`, and commands of the author.
 
-use crate::notation::ast::{DerivativeStyle, Factor, Kind, Node, Operator};
+use crate::notation::ast::{DerivativeStyle, Factor, FrameLabel, Kind, Node, Operator};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::{
@@ -18,10 +18,6 @@ use crate::verify::term::written::{TURNING_RATE, WrittenSymbols};
 
 /// The signs of a cross product.
 const CROSSES: [&str; 2] = ["\\times", "\\wedge"];
-
-/// The labels of rates that are written with δ: where no d/dt stands beside them, and where one does.
-const DELTA: &str = "δ";
-const TURNING: &str = "'";
 
 /// Whether a writing ends with a star that stands before something.
 fn ends_with_star(written: &str) -> bool {
@@ -83,7 +79,7 @@ impl Builder<'_> {
         }
         // Where no d/dt is written beside it a δ is read as a d.
         let marks = &letters.written;
-        if label == DELTA && !marks.has(TURNING_RATE) {
+        if label == FrameLabel::DELTA && !marks.has(TURNING_RATE) {
             self.reading.letters.marks.push(MarkRule {
                 mark: Mark::Leibniz,
                 effect: effect.clone(),
@@ -91,7 +87,7 @@ impl Builder<'_> {
             });
         }
         let labels = match label.as_str() {
-            DELTA => vec![DELTA, TURNING],
+            FrameLabel::DELTA => vec![FrameLabel::DELTA, FrameLabel::TURNING],
             _ => vec![label.as_str()],
         };
         for label in labels {
@@ -262,7 +258,7 @@ pub(super) fn is_quaternion_product(sign: &Sign, meaning: &NotationMeaning) -> b
 /// `\frac{d'}{dt}`, the δ of `\frac{\delta}{\delta t}`.
 fn label_of_rate(written: &str) -> Option<String> {
     if is_rate_of_deltas(written) {
-        return Some(DELTA.to_owned());
+        return Some(FrameLabel::DELTA.to_owned());
     }
     let frame = |text: &str| match read_formula(text, 0, &Macros::default()).as_slice() {
         [Row::Expression(node)] => match &node.kind {

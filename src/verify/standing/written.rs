@@ -1,6 +1,6 @@
 //! What a line shows of itself before it is worked out.
 
-use crate::notation::ast::{Bracket, Factor, Kind, Line, Node, Operator, Symbol};
+use crate::notation::ast::{Bracket, Factor, FrameLabel, Kind, Line, Node, Operator, Symbol};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::recent::Digest;
@@ -86,7 +86,9 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
                 found.insert(spell(symbol, true));
             }
             Kind::TimeDerivative { operand, frame, .. } => {
-                let turning = frame.as_ref().filter(|label| label.text == "'");
+                let turning = frame
+                    .as_ref()
+                    .filter(|label| label.text == FrameLabel::TURNING);
                 found.extend(turning.map(|_| TURNING_RATE.to_owned()));
                 match &operand.kind {
                     Kind::Symbol(symbol) if !seen.insert((symbol, true)) => {}

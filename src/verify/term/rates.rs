@@ -118,7 +118,7 @@ impl Lowering<'_> {
         }
         // A ring over a vector and a prime behind a bracket have labels of their own: a sentence says what these mean.
         let mark = match label {
-            "'" => Some(Mark::Ring),
+            FrameLabel::TURNING => Some(Mark::Ring),
             "\u{2032}" => Some(Mark::Prime),
             _ => None,
         };

@@ -2,10 +2,6 @@
 
 use crate::notation::ast::FrameLabel;
 use crate::notation::token::{Lexeme, Token};
-use crate::source::Span;
-
-/// Of a rate that is written with δ.
-pub(in crate::notation) const DELTA: &str = "δ";
 
 /// What a numerator or a denominator of differentials says.
 pub(super) struct Differential<'t, 'a> {
@@ -14,14 +10,6 @@ pub(super) struct Differential<'t, 'a> {
     /// A frame written beside the d: `{}^{N}d`.
     pub(super) frame: Option<FrameLabel>,
     pub(super) rest: &'t [Token<'a>],
-}
-
-/// The label of axes that turn, which d' stands for (Landau and Lifshitz, Mechanics, § 36).
-pub(in crate::notation) fn turning(span: Span) -> FrameLabel {
-    FrameLabel {
-        text: "'".into(),
-        span,
-    }
 }
 
 /// `\tilde d`, `\mathring{d}`, `d^*`: a d that is marked for axes that turn, and how many tokens it takes.
@@ -128,9 +116,9 @@ pub(super) fn above<'t, 'a>(tokens: &'t [Token<'a>]) -> Option<Differential<'t, 
     let (below, mut rest) = subscript(&tokens[length..]);
     frame = frame.or(below.map(label));
     if marked.is_some() {
-        frame = frame.or(Some(turning(tokens[0].span)));
+        frame = frame.or(Some(FrameLabel::new(FrameLabel::TURNING, tokens[0].span)));
     } else if let Some(mark) = rest.first().filter(|t| turns(t)) {
-        frame = frame.or(Some(turning(mark.span)));
+        frame = frame.or(Some(FrameLabel::new(FrameLabel::TURNING, mark.span)));
         rest = &rest[1..];
     }
     // Beside a d whose frame is told another one belongs to what follows: `^N d\,^N\omega`.
@@ -212,7 +200,11 @@ pub(super) fn total<'t, 'a>(
     };
     let (length, below, frame) = match (total_mark(top), small(top)) {
         (Some(length), _) => (length, total_mark(bottom)?, None),
-        (None, Some(length)) => (length, small(bottom)?, Some(in_deltas(top[0].span))),
+        (None, Some(length)) => (
+            length,
+            small(bottom)?,
+            Some(FrameLabel::new(FrameLabel::DELTA, top[0].span)),
+        ),
         (None, None) => return None,
     };
     let time = trim(&bottom[below..]);
@@ -223,14 +215,6 @@ pub(super) fn total<'t, 'a>(
         frame,
         rest: trim(&top[length..]),
     })
-}
-
-/// The label of a rate that is written with δ in the place of d, until the document tells what that means.
-fn in_deltas(span: Span) -> FrameLabel {
-    FrameLabel {
-        text: DELTA.into(),
-        span,
-    }
 }
 
 /// How many tokens a D takes at the start of a slice, upright or not.
