@@ -25,7 +25,7 @@ use crate::verify::reading::operators_read::reads_derivative;
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
-use crate::verify::reading::quaternions_read::layout;
+use crate::verify::reading::quaternions_read::{is_free_quaternion, layout};
 use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
@@ -193,6 +193,9 @@ impl Builder<'_> {
             "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
+            QUATERNION if is_free_quaternion(what) => {
+                self.read_free_quaternions(subjects, what, declaration);
+            }
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
             "time" => {

@@ -31,6 +31,9 @@ const LOOKS: [&str; 12] = [
 /// all lines.
 pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touches {
     let Statement::Unread { touched, .. } = statement else {
+        if let Statement::Notation { sign, .. } = statement {
+            return Touches::Signs(vec![sign.clone()]);
+        }
         let formulas = statement.formulas().into_iter();
         if matches!(statement, Statement::Is { .. }) {
             let subjects = statement.subjects().iter().filter_map(letter_of);
