@@ -75,6 +75,7 @@ pub(crate) mod potentials_read;
 pub(crate) mod premises_read;
 mod principal_axes_read;
 pub(crate) mod products_read;
+pub(crate) mod pyramids_read;
 pub(crate) mod quantities_read;
 pub(crate) mod quaternions_read;
 pub(crate) mod rate_matrices_read;

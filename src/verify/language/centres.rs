@@ -6,12 +6,13 @@ use super::statement::{Declaration, NounPhrase, Slot, Statement};
 use std::collections::BTreeSet;
 
 /// Shapes whose centre, the middle of a face or of what they are cut from, is not their mass centre.
-const ONE_SIDED: [&str; 6] = [
+const ONE_SIDED: [&str; 7] = [
     "half-disc",
     "half-cylinder",
     "half-sphere",
     "half-ring",
     "cone",
+    "pyramid",
     "triangle",
 ];
 
