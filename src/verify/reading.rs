@@ -91,6 +91,7 @@ pub(crate) mod shapes_read;
 pub(crate) mod sizes_read;
 mod small_oscillations;
 pub(crate) mod smooth_read;
+pub(crate) mod springs_read;
 mod steady_read;
 pub(crate) mod step_functions;
 pub(crate) mod steps_read;

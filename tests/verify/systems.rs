@@ -51,6 +51,7 @@ mod single_edits;
 mod slopes;
 mod small_oscillations;
 mod sound;
+mod springs;
 mod start;
 mod steps;
 mod taken_in_whole;

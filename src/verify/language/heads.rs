@@ -194,6 +194,8 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
     "horizontal",
     "horizontally",
 ];
+/// How long a spring is on which nothing acts.
+pub(crate) const NATURAL_LENGTH: &str = "natural length";
 /// Words of sentences about loads.
 pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "loads", "exerts"];
 /// Words of sentences about where a potential energy is zero.

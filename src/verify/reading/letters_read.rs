@@ -3,8 +3,8 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, FIRST_ORDER_CHANGE, IMAGINARY_UNIT,
-    JACOBIAN, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY,
-    QUATERNION, REFERENCE, STEP_SIZE, TENSOR_PRODUCT, UPHILL,
+    JACOBIAN, MOMENT, MOMENT_OF_INERTIA, NATURAL_BASE, NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS,
+    PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, STEP_SIZE, TENSOR_PRODUCT, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -30,6 +30,7 @@ use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::rotations_read::turns_by_argument;
+use crate::verify::reading::springs_read::is_spring;
 use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -201,7 +202,7 @@ impl Builder<'_> {
                 }
             }
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
-            | "damping" => {
+            | "damping" | NATURAL_LENGTH => {
                 self.read_size(subjects, declaration);
             }
             DOWNHILL | UPHILL if self.is_tilted() => {}
@@ -277,7 +278,10 @@ impl Builder<'_> {
             || self.names_touch(what)
             || self.agent_outside(what, None).is_some()
             || self.reversed(what).is_some();
-        if named && subjects.iter().any(|subject| may_be_size(subject, what)) {
+        // The moment of a spring is known by its law, as that of a weight.
+        let by_law = what.head == MOMENT && what.slot(Slot::Of).is_some_and(is_spring);
+        let open = named && !by_law;
+        if open && subjects.iter().any(|subject| may_be_size(subject, what)) {
             return self.say_unused(declaration);
         }
         let Some(quantity) = self.quantity(what, declaration) else {

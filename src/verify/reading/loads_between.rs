@@ -250,7 +250,7 @@ impl Builder<'_> {
                 slots.push((Slot::Of, agent.clone()));
                 let own = NounPhrase::new(MOMENT, slots);
                 let loads = self.named_load(&own, Some(body))?;
-                rest = loads.iter().fold(rest, |rest, load| rest - &load.value);
+                rest -= self.system().moment_of_loads(&loads, about);
             }
         }
         self.hold(rest.dot(&along), declaration);

@@ -13,6 +13,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{is_force_at, letters_of};
 use crate::verify::reading::names::is_marked_vector;
 use crate::verify::reading::reactions_read::same_letter;
+use crate::verify::reading::springs_read::is_spring;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -38,6 +39,13 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
+        if phrase.slot(Slot::Of).is_some_and(is_spring) {
+            let bodies = on.map_or_else(
+                || self.bodies_without_parts(),
+                |on| self.reading.system.wholes(on),
+            );
+            return self.loads_of_spring(phrase, &bodies);
+        }
         let of_kind = |own: &Self| on.and_then(|body| own.kind_between(phrase, body));
         let between = self.load_between(phrase, on);
         if let Some(load) = between.or_else(|| of_kind(self)) {
@@ -257,6 +265,9 @@ impl Builder<'_> {
         letter: &Formula,
         declaration: &Declaration,
     ) -> Option<Vec<Load>> {
+        if let Some(load) = self.spring_by_letter(letter) {
+            return Some(vec![load]);
+        }
         let quantity = self.quantity_of(letter, declaration)?;
         let value = self.system().value_of(&quantity).ok()?;
         if let Ok(size) = value.to_scalar() {
