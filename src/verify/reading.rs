@@ -8,6 +8,7 @@ mod axes_besides;
 pub(crate) mod axes_in_order;
 pub(crate) mod axes_read;
 mod axis_names;
+pub(crate) mod balance_read;
 pub(crate) mod bases_read;
 pub(crate) mod blows_read;
 pub(crate) mod bodies_read;

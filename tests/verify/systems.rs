@@ -3,6 +3,7 @@
 mod angles;
 mod at_one_time;
 mod at_zero;
+mod balance;
 mod between_instants;
 mod blows;
 mod by_vectors;

@@ -194,6 +194,12 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
     "horizontal",
     "horizontally",
 ];
+/// Turning steadily about an axis without a moment: the mass centre is on it, and it is a principal axis.
+pub(crate) const DYNAMICALLY_BALANCED: &str = "dynamically balanced";
+/// With the mass centre on an axis.
+pub(crate) const STATICALLY_BALANCED: &str = "statically balanced";
+/// Not balanced, in one way or the other.
+pub(crate) const UNBALANCED: &str = "unbalanced";
 /// How long a spring is on which nothing acts.
 pub(crate) const NATURAL_LENGTH: &str = "natural length";
 /// Words of sentences about loads.

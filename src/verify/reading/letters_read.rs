@@ -2,9 +2,10 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, FIRST_ORDER_CHANGE, IMAGINARY_UNIT,
-    JACOBIAN, MOMENT, MOMENT_OF_INERTIA, NATURAL_BASE, NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS,
-    PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, STEP_SIZE, TENSOR_PRODUCT, UPHILL,
+    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, DYNAMICALLY_BALANCED,
+    FIRST_ORDER_CHANGE, IMAGINARY_UNIT, JACOBIAN, MOMENT, MOMENT_OF_INERTIA, NATURAL_BASE,
+    NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE,
+    STATICALLY_BALANCED, STEP_SIZE, TENSOR_PRODUCT, UNBALANCED, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -39,7 +40,7 @@ use crate::verify::term::quantity::Quantity;
 const HALVES: [&str; 3] = ["half-disc", "half-cylinder", "half-ring"];
 
 /// Nouns that name no quantity: others hear of these things.
-const THINGS: [&str; 24] = [
+const THINGS: [&str; 27] = [
     PLANE_OF_SYMMETRY,
     "frame",
     "point",
@@ -59,6 +60,9 @@ const THINGS: [&str; 24] = [
     EULER_ANGLES,
     CONTACT_POINT,
     "symmetric",
+    DYNAMICALLY_BALANCED,
+    STATICALLY_BALANCED,
+    UNBALANCED,
     COORDINATES,
     "integral",
     "cross product",

@@ -48,12 +48,18 @@ enum Held {
 /// Whether a term names a spring that is stretched: "the spring", "spring 1", "the left spring".
 pub(super) fn is_spring(term: &Term) -> bool {
     let twists = |name: &str| TWISTING.iter().any(|twisting| name.contains(twisting));
-    is_elastic(term) && !name_of(term).is_some_and(|name| twists(&name))
+    spring_name(term).is_some_and(|name| !twists(&name))
 }
 
-fn is_elastic(term: &Term) -> bool {
-    let named = name_of(term);
-    named.is_some_and(|name| name.split(' ').any(|word| word == SPRING))
+/// The name of a spring of any kind. Adjectives alone may tell one from another.
+fn spring_name(term: &Term) -> Option<String> {
+    let named = match term {
+        Term::Phrase(phrase) if phrase.head == SPRING && phrase.slots.is_empty() => {
+            Some([phrase.adjectives.as_slice(), &[SPRING]].concat().join(" "))
+        }
+        term => name_of(term),
+    };
+    named.filter(|name| name.split(' ').any(|word| word == SPRING))
 }
 
 /// Whether a sentence speaks of what has a potential energy of its own, whichever force it exerts.
@@ -61,7 +67,7 @@ pub(super) fn speaks_of_spring(declaration: &Declaration) -> bool {
     let elastic = |term: &Term| match term {
         Term::Phrase(phrase) => phrase.head == SPRING || phrase.head == STIFFNESS,
         Term::Member { family, .. } => family == SPRING,
-        _ => is_elastic(term),
+        _ => spring_name(term).is_some(),
     };
     let head = match &declaration.statement {
         Statement::Is { what, .. } => what.head == STIFFNESS,

@@ -67,10 +67,7 @@ fn a_particle_on_a_spring_moves_by_its_force_and_has_its_energy() {
 fn each_of_two_springs_has_its_own_law() {
     let said = on_a_spring(
         r"The left spring of stiffness $k$ and natural length $b$ joins P and Q.
-R is a point fixed in N.
-R lies at the distance $h$ from Q along $-y$.
-$h$ is positive.
-The right spring of stiffness $c$ and natural length $b$ joins P and R.
+The right spring of stiffness $c$ and natural length $h$ joins P and Q.
 The weight and the forces of the left spring and of the right spring are the only loads on P.
 ",
     );
@@ -78,11 +75,11 @@ The weight and the forces of the left spring and of the right spring are the onl
     let text = r"
 $$ V = \frac12 k (s-b)^2 $$
 
-$$ m\ddot s = -m g - k(s-b) - c(s+h-b) $$
+$$ m\ddot s = -m g - k(s-b) - c(s-h) $$
 
 $$ m\ddot s = -m g - k(s-b) $$
 
-$$ L = \frac12 m\dot s^2 - m g s - \frac12 k (s-b)^2 - \frac12 c (s+h-b)^2 $$
+$$ L = \frac12 m\dot s^2 - m g s - \frac12 k (s-b)^2 - \frac12 c (s-h)^2 $$
 ";
     assert_eq!(judged(&said, text), "pprp");
 }
@@ -104,7 +101,8 @@ $$ L = \frac12 m\dot s^2 - m g s $$
         assert_eq!(verdicts(&on_a_spring(said), lines).0, "uu", "{said}");
     }
     // An energy that is zero elsewhere is another one.
-    let shifted = "A spring of stiffness $k$ and natural length $b$ joins P to Q.\n$V$ is zero at $s=0$.";
+    let shifted =
+        "A spring of stiffness $k$ and natural length $b$ joins P to Q.\n$V$ is zero at $s=0$.";
     let law = r"
 $$ V = \frac12 k (s-b)^2 $$
 ";
