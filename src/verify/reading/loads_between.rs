@@ -290,7 +290,7 @@ impl Builder<'_> {
                 return None;
             };
             let quantity = match load.head {
-                _ if names_load(load) => self.named_force(load),
+                _ if names_load(load) || self.names_touch(load) => self.named_force(load),
                 FORCE => self.force(load),
                 MOMENT => self.moment(&with_slots_of_moment(load), declaration),
                 _ => None,

@@ -13,7 +13,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{is_force_at, letters_of};
 use crate::verify::reading::names::is_marked_vector;
 use crate::verify::reading::reactions_read::same_letter;
-use crate::verify::reading::springs_read::is_spring;
+use crate::verify::reading::springs_read::is_of_spring;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -39,13 +39,13 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
-        if phrase.slot(Slot::Of).is_some_and(is_spring) {
-            let bodies = on.map_or_else(
-                || self.bodies_without_parts(),
-                |on| self.reading.system.wholes(on),
-            );
-            return self.loads_of_spring(phrase, &bodies);
+        match is_of_spring(phrase) {
+            true => self.loads_of_spring(phrase, on),
+            false => self.load_by_noun(phrase, on),
         }
+    }
+
+    fn load_by_noun(&mut self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Vec<Load>> {
         let of_kind = |own: &Self| on.and_then(|body| own.kind_between(phrase, body));
         let between = self.load_between(phrase, on);
         if let Some(load) = between.or_else(|| of_kind(self)) {

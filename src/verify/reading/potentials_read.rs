@@ -11,7 +11,7 @@ use crate::verify::model::atoms::{Nature, whole};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
-use crate::verify::reading::springs_read::{is_spring, speaks_of_spring};
+use crate::verify::reading::springs_read::{is_of_spring, speaks_of_spring};
 use crate::verify::reading::working_loads_read::{MOTOR, is_joint};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -115,9 +115,8 @@ impl<'a> Builder<'a> {
                 || matches!(load.head, CONTACT_FORCE | NORMAL_FORCE | FRICTION)
         };
         // What springs do is in their potential energies.
-        let by_spring = |load: &NounPhrase| load.slot(Slot::Of).is_some_and(is_spring);
         let works = |load: &NounPhrase| match weighs(load) {
-            _ if by_spring(load) => false,
+            _ if is_of_spring(load) => false,
             true => weightless,
             // Where a sentence lists all loads their sum is no other one.
             false if load.is("total") && self.lists_loads() => false,
@@ -126,7 +125,7 @@ impl<'a> Builder<'a> {
         match &declaration.statement {
             Statement::Is { subjects, what } => {
                 let letters = subjects.iter().any(|s| matches!(s, Term::Formula(_)));
-                letters && works(what) || ELASTIC.contains(&what.head) && !by_spring(what)
+                letters && works(what) || ELASTIC.contains(&what.head) && !is_of_spring(what)
             }
             Statement::Premise(premise) if premise.is("only") => {
                 premise.all(Slot::With).any(|load| match load {

@@ -6,7 +6,9 @@
 use crate::algebra::Fraction;
 use crate::mechanics;
 use crate::verify::language::heads::{FORCE, MOMENT, NATURAL_LENGTH};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::model::loads::Load;
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::body_ends::END;
@@ -15,7 +17,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{POTENTIAL, letter_of, name_of};
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::reactions_read::same_letter;
-use crate::verify::term::quantity::{Quantity, Spot};
+use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 
 /// What gives back the work that is done on it.
@@ -49,6 +51,14 @@ enum Held {
 pub(super) fn is_spring(term: &Term) -> bool {
     let twists = |name: &str| TWISTING.iter().any(|twisting| name.contains(twisting));
     spring_name(term).is_some_and(|name| !twists(&name))
+}
+
+/// Whether a load is what a spring does: "the force of the spring", "the moment of the force of the spring".
+pub(super) fn is_of_spring(load: &NounPhrase) -> bool {
+    match load.slot(Slot::Of) {
+        Some(Term::Phrase(force)) if force.head == FORCE => is_of_spring(force),
+        of => of.is_some_and(is_spring),
+    }
 }
 
 /// The name of a spring of any kind. Adjectives alone may tell one from another.
@@ -105,6 +115,8 @@ impl<'a> Builder<'a> {
         let [only] = said.collect::<Vec<_>>()[..] else {
             return None;
         };
+        // What is told of a part of the document is not told of all.
+        (only.extent == Extent::Document).then_some(())?;
         Some((only.statement.subjects().to_vec(), only.clone()))
     }
 
@@ -153,59 +165,61 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// What a spring does to some bodies: a force at each of its ends that is on one of them. An end of which no sentence says
-    /// where it is fixed is on the only body.
+    /// What a spring does to some bodies: a force at each of its ends that is on one of them.
     fn loads_of(&mut self, spring: &Spring, bodies: &[BodyId]) -> Option<Vec<Load>> {
+        let mut held = spring.ends.map(|end| self.holds_end(end));
+        // Of two ends one of which rests the other is on the only body, where no sentence says what carries it.
+        if let (&[body], true) = (bodies, held.contains(&Held::AtRest)) {
+            let moving = held.iter_mut().find(|held| **held == Held::Unknown);
+            moving.into_iter().for_each(|held| *held = Held::By(body));
+        }
         let mut loads = vec![];
-        for (end, other) in [(0, 1), (1, 0)].map(|(a, b)| (spring.ends[a], spring.ends[b])) {
-            let on = match (self.holds_end(end), bodies) {
-                (Held::AtRest, _) => continue,
-                (Held::By(body), _) if !bodies.contains(&body) => continue,
-                (Held::By(body), _) => body,
-                (Held::Unknown, &[body]) => body,
-                (Held::Unknown, _) => return None,
+        for (held, [end, other]) in held.into_iter().zip([[0, 1], [1, 0]]) {
+            let on = match held {
+                Held::By(body) if bodies.contains(&body) => body,
+                Held::By(_) | Held::AtRest => continue,
+                Held::Unknown => return None,
             };
+            let [end, other] = [end, other].map(|end| spring.ends[end]);
             let way = self.reading.system.position(end, other);
-            let (stiffness, natural) = (&spring.stiffness, &spring.natural_length);
-            let force = mechanics::spring_force(stiffness, natural, &way, &spring.length);
-            loads.push(Load::unnamed(Some(end), force, Some(on)));
+            loads.push(Load::unnamed(Some(end), spring.force(&way), Some(on)));
         }
         Some(loads)
     }
 
-    /// The loads that "the force of the spring" or "the moment of the spring" names, on the body that a phrase says or on these.
+    /// The loads that "the force of the spring" or "the moment of the spring" names: on the body that the phrase says, or on this
+    /// one, or on all.
     pub(super) fn loads_of_spring(
         &mut self,
         phrase: &NounPhrase,
-        bodies: &[BodyId],
+        on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
         let named = phrase.slot(Slot::Of).filter(|of| is_spring(of))?;
         let plain = phrase.slot(Slot::At).is_none() && phrase.slot(Slot::Along).is_none();
         if !plain || !matches!(phrase.head, FORCE | MOMENT) {
             return None;
         }
-        let bodies = match phrase.slot(Slot::Upon) {
-            Some(upon) => self.reading.system.wholes(self.body(upon)?),
-            None => bodies.to_vec(),
+        let on = match phrase.slot(Slot::Upon) {
+            Some(upon) => Some(self.body(upon)?),
+            None => on,
+        };
+        let system = &self.reading.system;
+        let whole = |body: &BodyId| system.bodies[*body].parts.is_empty();
+        let bodies = match on {
+            Some(body) => system.wholes(body),
+            None => (0..system.bodies.len()).filter(whole).collect(),
         };
         let spring = self.spring(named)?;
         self.loads_of(&spring, &bodies)
     }
 
-    /// The same of a phrase that names no more than one body, where only one may be meant.
+    /// The same where no more than one body may be meant.
     fn load_of_spring(&mut self, phrase: &NounPhrase) -> Option<Load> {
-        let bodies = self.bodies_without_parts();
-        let loads = self.loads_of_spring(phrase, &bodies)?;
+        let loads = self.loads_of_spring(phrase, None)?;
         let [load] = loads.as_slice() else {
             return None;
         };
         Some(load.clone())
-    }
-
-    pub(super) fn bodies_without_parts(&self) -> Vec<BodyId> {
-        let bodies = &self.reading.system.bodies;
-        let whole = |body: &BodyId| bodies[*body].parts.is_empty();
-        (0..bodies.len()).filter(whole).collect()
     }
 
     /// The load of a letter of which a sentence says that it is the force of a spring.
@@ -231,16 +245,14 @@ impl<'a> Builder<'a> {
 
     /// "the moment of the spring about O", "… of the force of the spring …", "… about the axis through O along z".
     pub(super) fn moment_of_spring(&mut self, moment: &NounPhrase) -> Option<Quantity> {
-        let about = match moment.slot(Slot::About)? {
-            Term::Phrase(axis) => self.point(axis.slot(Slot::Through)?)?,
-            point => self.point(point)?,
-        };
+        moment.slot(Slot::About)?;
         let mut phrase = match moment.slot(Slot::Of)? {
             Term::Phrase(force) if force.head == FORCE => (**force).clone(),
             _ => moment.clone(),
         };
         phrase.slots.retain(|(slot, _)| *slot != Slot::Along);
         let load = self.load_of_spring(&phrase)?;
+        let about = self.about(moment, &Whole::Body(load.on?))?;
         let moment = self.reading.system.moment_of_loads(&[load], about);
         Some(Quantity::Known(Value::vector(&moment, Basis::Itself)))
     }
@@ -289,8 +301,8 @@ impl<'a> Builder<'a> {
         Some(Quantity::Known(Value::scalar(spring.energy())))
     }
 
-    /// The potential energies of the springs that act on a body from points at rest, or between parts of it; none is known where a
-    /// spring is not told in full or does work on something else as well.
+    /// The potential energies of the springs that act on a body from points at rest, or between parts of it; none is known
+    /// where a spring is not told in full or does work on something else as well.
     pub(super) fn energies_of_springs(&mut self, body: BodyId) -> Option<Vec<Fraction>> {
         if !self.declarations.iter().all(is_plain) {
             return None;
@@ -315,6 +327,11 @@ impl<'a> Builder<'a> {
 }
 
 impl Spring {
+    /// The force on the end that is this way from the other one.
+    fn force(&self, way: &Vector) -> Vector {
+        mechanics::spring_force(&self.stiffness, &self.natural_length, way, &self.length)
+    }
+
     fn energy(&self) -> Fraction {
         mechanics::spring_energy(&self.stiffness, &self.natural_length, &self.length)
     }

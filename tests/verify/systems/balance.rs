@@ -39,20 +39,36 @@ $$ I_{xy} = 0 $$
 fn static_balance_is_of_the_mass_centre_and_dynamic_balance_of_the_products_as_well() {
     let cases = [
         ("", "rrrrprr"),
-        ("The rotor is balanced about the axis through O along z.", "pprpppr"),
+        (
+            "The rotor is balanced about the axis through O along z.",
+            "pprpppr",
+        ),
         ("The rotor is dynamically balanced about z.", "pprpppr"),
         // The axis about which it turns.
         ("The rotor is balanced.", "pprpppr"),
-        ("The rotor is statically balanced about the axis through O along z.", "pprrprr"),
+        (
+            "The rotor is statically balanced about the axis through O along z.",
+            "pprrprr",
+        ),
         ("The rotor is in static balance.", "pprrprr"),
-        ("The rotor is statically balanced about the axis through O along x.", "rpprprr"),
+        (
+            "The rotor is statically balanced about the axis through O along x.",
+            "rpprprr",
+        ),
         // What is balanced statically alone may be out of balance.
-        ("The rotor is statically balanced.\nThe rotor is unbalanced.", "pprrprr"),
+        (
+            "The rotor is statically balanced.\nThe rotor is unbalanced.",
+            "pprrprr",
+        ),
         ("The rotor is unbalanced.", "rrrrprr"),
         ("The rotor is not balanced.", "rrrrprr"),
     ];
     for (said, expected) in cases {
-        assert_eq!(judged(&format!("{ROTOR}{said}\n"), LINES), expected, "{said}");
+        assert_eq!(
+            judged(&format!("{ROTOR}{said}\n"), LINES),
+            expected,
+            "{said}"
+        );
     }
 }
 

@@ -157,6 +157,12 @@ $$ T = \frac23ma^2\dot\theta^2 - m g a\sin\theta $$
 ";
     let found = judged(said, wrong);
     assert!(!found.contains('p'), "{found}");
+    let law = "$$ M = -2abc(1-L/d)\\sin\\theta $$\n";
+    for axis in ["z", "the axis through O along z", "O along z"] {
+        let about = format!("moment of the spring about {axis}");
+        let said = said.replace("moment of the spring about O", &about);
+        assert_eq!(judged(&said, law), "p", "{axis}");
+    }
 }
 
 #[test]
