@@ -355,6 +355,10 @@ mod tests {
             STEP_SIZE,
             POSITIVE_ABOUT,
             CONTACT_POINT,
+            NATURAL_LENGTH,
+            DYNAMICALLY_BALANCED,
+            STATICALLY_BALANCED,
+            UNBALANCED,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();
@@ -369,6 +373,7 @@ mod tests {
                     Class::Mark,
                     Class::Meaning,
                     Class::Verb,
+                    Class::Adjective,
                 ],
             );
             assert!(entry.is_some(), "{head}");
