@@ -31,7 +31,6 @@ use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::rotations_read::turns_by_argument;
-use crate::verify::reading::springs_read::is_of_spring;
 use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -283,7 +282,7 @@ impl Builder<'_> {
             || self.agent_outside(what, None).is_some()
             || self.reversed(what).is_some();
         // The moment of a spring is known by its law, as that of a weight.
-        let by_law = what.head == MOMENT && is_of_spring(what);
+        let by_law = what.head == MOMENT && self.is_by_spring(what);
         let open = named && !by_law;
         if open && subjects.iter().any(|subject| may_be_size(subject, what)) {
             return self.say_unused(declaration);

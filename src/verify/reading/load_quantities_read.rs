@@ -11,14 +11,13 @@ use crate::verify::reading::loads_read::{FORCES, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::only_moments_read::each_moment;
 use crate::verify::reading::quantities_read::without;
-use crate::verify::reading::springs_read::is_of_spring;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 use std::collections::BTreeSet;
 
 impl Builder<'_> {
     pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
-        if is_of_spring(phrase) {
+        if self.is_by_spring(phrase) {
             return self.force_of_spring(phrase);
         }
         if let Some(reaction) = self.reaction(phrase) {
@@ -95,7 +94,7 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        if is_of_spring(phrase) {
+        if self.is_by_spring(phrase) {
             return self.moment_of_spring(phrase);
         }
         if let Some(drive) = self.drive(phrase) {

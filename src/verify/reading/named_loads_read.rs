@@ -13,7 +13,6 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{is_force_at, letters_of};
 use crate::verify::reading::names::is_marked_vector;
 use crate::verify::reading::reactions_read::same_letter;
-use crate::verify::reading::springs_read::is_of_spring;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -39,7 +38,7 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
-        match is_of_spring(phrase) {
+        match self.is_by_spring(phrase) {
             true => self.loads_of_spring(phrase, on),
             false => self.load_by_noun(phrase, on),
         }

@@ -53,12 +53,16 @@ pub(super) fn is_spring(term: &Term) -> bool {
     spring_name(term).is_some_and(|name| !twists(&name))
 }
 
-/// Whether a load is what a spring does: "the force of the spring", "the moment of the force of the spring".
-pub(super) fn is_of_spring(load: &NounPhrase) -> bool {
+/// The spring of which a load is what it does: "the force of the spring", "the moment of the force of the spring".
+fn spring_of(load: &NounPhrase) -> Option<&Term> {
     match load.slot(Slot::Of) {
-        Some(Term::Phrase(force)) if force.head == FORCE => is_of_spring(force),
-        of => of.is_some_and(is_spring),
+        Some(Term::Phrase(force)) if force.head == FORCE => spring_of(force),
+        of => of.filter(|of| is_spring(of)),
     }
+}
+
+pub(super) fn is_of_spring(load: &NounPhrase) -> bool {
+    spring_of(load).is_some()
 }
 
 /// The name of a spring of any kind. Adjectives alone may tell one from another.
@@ -118,6 +122,13 @@ impl<'a> Builder<'a> {
         // What is told of a part of the document is not told of all.
         (only.extent == Extent::Document).then_some(())?;
         Some((only.statement.subjects().to_vec(), only.clone()))
+    }
+
+    /// Whether a load is what a spring does of which a sentence tells the ends: its law says what that is. Another one is
+    /// something outside of which no more is known.
+    pub(super) fn is_by_spring(&self, load: &NounPhrase) -> bool {
+        let ends = |spring| self.said_of_spring(spring, END).is_some();
+        spring_of(load).is_some_and(ends)
     }
 
     fn size_of_spring(&mut self, spring: &Term, head: &str) -> Option<Fraction> {
