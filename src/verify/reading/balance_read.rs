@@ -69,6 +69,7 @@ impl Builder<'_> {
             None => self.fixed_point_of(body)?,
         };
         let along = match about {
+            Some(axis) if self.is_open_direction(axis, declaration) => return None,
             Some(axis) => self.direction(axis, declaration, Some(frame))?,
             None => {
                 let axis = self.axis_of_turn(body)?;
@@ -76,6 +77,19 @@ impl Builder<'_> {
             }
         };
         Some((on_axis, along))
+    }
+
+    /// Whether an axis is along a letter that no other sentence tells: it may be any direction.
+    fn is_open_direction(&mut self, axis: &Term, declaration: &Declaration) -> bool {
+        let along = match axis {
+            Term::Phrase(axis) => axis.slot(Slot::Along),
+            letter => Some(letter),
+        };
+        let Some(Term::Formula(letter)) = along else {
+            return false;
+        };
+        let named = along.is_some_and(|along| self.axis_of_frame(along).is_some());
+        !named && !self.is_told(letter, declaration)
     }
 
     /// Whether a sentence says that a body is out of balance: that it is uniform is not said of all its mass then.

@@ -44,6 +44,10 @@ fn static_balance_is_of_the_mass_centre_and_dynamic_balance_of_the_products_as_w
             "pprpppr",
         ),
         ("The rotor is dynamically balanced about z.", "pprpppr"),
+        (
+            "$n$ is the unit vector along z.\nThe rotor is balanced about the axis through O along $n$.",
+            "pprpppr",
+        ),
         // The axis about which it turns.
         ("The rotor is balanced.", "pprpppr"),
         (
@@ -69,6 +73,45 @@ fn static_balance_is_of_the_mass_centre_and_dynamic_balance_of_the_products_as_w
             expected,
             "{said}"
         );
+    }
+}
+
+#[test]
+fn a_rotor_that_is_balanced_is_turned_by_no_weight() {
+    let said = r"N is an inertial frame.
+X, Y, Z are the axes of N.
+X is the upward vertical.
+$g$ is the acceleration of gravity.
+B is a rigid body.
+x, y, Z are the axes of B.
+B turns relative to N about Z by the angle $\phi$.
+O is a point fixed in N and in B.
+G is the mass centre of B.
+$I$ is the moment of inertia of B about the axis through O along Z.
+$V$ is the potential energy of B.
+The potential energy is zero at O.
+The weight and the force at O are the only loads on B.
+";
+    let text = r"
+$$ I\ddot\phi = 0 $$
+
+$$ V = 0 $$
+";
+    let cases = [
+        ("", "rr"),
+        (
+            "B is statically balanced about the axis through O along Z.",
+            "pp",
+        ),
+        // Which axis the letter is along no sentence tells.
+        (
+            "B is statically balanced about the axis through O along $n$.",
+            "uu",
+        ),
+    ];
+    for (balanced, expected) in cases {
+        let said = format!("{said}{balanced}\n");
+        assert_eq!(verdicts(&said, text).0, expected, "{balanced}");
     }
 }
 
