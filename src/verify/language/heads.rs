@@ -194,6 +194,14 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
     "horizontal",
     "horizontally",
 ];
+/// Turning steadily about an axis without a moment: the mass centre is on it, and it is a principal axis.
+pub(crate) const DYNAMICALLY_BALANCED: &str = "dynamically balanced";
+/// With the mass centre on an axis.
+pub(crate) const STATICALLY_BALANCED: &str = "statically balanced";
+/// Not balanced, in one way or the other.
+pub(crate) const UNBALANCED: &str = "unbalanced";
+/// How long a spring is on which nothing acts.
+pub(crate) const NATURAL_LENGTH: &str = "natural length";
 /// Words of sentences about loads.
 pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "loads", "exerts"];
 /// Words of sentences about where a potential energy is zero.
@@ -347,6 +355,10 @@ mod tests {
             STEP_SIZE,
             POSITIVE_ABOUT,
             CONTACT_POINT,
+            NATURAL_LENGTH,
+            DYNAMICALLY_BALANCED,
+            STATICALLY_BALANCED,
+            UNBALANCED,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();
@@ -361,6 +373,7 @@ mod tests {
                     Class::Mark,
                     Class::Meaning,
                     Class::Verb,
+                    Class::Adjective,
                 ],
             );
             assert!(entry.is_some(), "{head}");

@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 
 impl Builder<'_> {
     pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        if self.is_by_spring(phrase) {
+            return self.force_of_spring(phrase);
+        }
         if let Some(reaction) = self.reaction(phrase) {
             return Some(reaction);
         }
@@ -91,6 +94,9 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
+        if self.is_by_spring(phrase) {
+            return self.moment_of_spring(phrase);
+        }
         if let Some(drive) = self.drive(phrase) {
             return Some(drive);
         }
