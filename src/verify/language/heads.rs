@@ -100,6 +100,7 @@ pub(crate) const QUATERNION_PRODUCT: &str = "quaternion product";
 pub(crate) const SCALAR_PART: &str = "scalar part";
 /// Its vector part.
 pub(crate) const VECTOR_PART: &str = "vector part";
+pub(crate) const DECIMAL_NUMBERS: &str = "decimal numbers";
 pub(crate) const QUATERNION: &str = "quaternion";
 /// A quaternion whose scalar part is written first.
 pub(crate) const SCALAR_FIRST: &str = "scalar first";
@@ -207,6 +208,7 @@ pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "lo
 /// Words of sentences about where a potential energy is zero.
 pub(crate) const OF_POTENTIALS: [&str; 3] = ["potential", "energy", "gravity"];
 pub(crate) const VERTICAL: &str = "vertical";
+pub(crate) const VERTICALLY_ABOVE: &str = "vertically above";
 /// What is said of densities.
 pub(crate) const PER_UNIT: [&str; 4] = [
     "per unit length",

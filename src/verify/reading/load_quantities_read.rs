@@ -48,6 +48,11 @@ impl Builder<'_> {
             Whole::Member(family, index) if phrase.is("external") => {
                 Some(Quantity::ExternalForce(family, index))
             }
+            Whole::Body(body) if phrase.is(NON_GRAVITATIONAL) => {
+                let weight = self.weight_of(body)?;
+                Some(without(Quantity::Force(Whole::Body(body)), weight))
+            }
+            _ if phrase.is(NON_GRAVITATIONAL) => None,
             of => Some(Quantity::Force(of)),
         }
     }
@@ -246,6 +251,9 @@ impl Builder<'_> {
         Some(Quantity::Scaled(gravity.boxed(), mass))
     }
 }
+
+/// Said of all forces but the weight.
+const NON_GRAVITATIONAL: &str = "non-gravitational";
 
 /// The moment of the force on a particle: of all of it, of what comes from outside, or of what does not.
 fn moment_on_member(phrase: &NounPhrase, of: Whole, about: PointId) -> Quantity {
