@@ -242,6 +242,7 @@ pub(crate) const FULL_STOP: &str = "full stop between vectors";
 pub(crate) const PRODUCT_OF_QUATERNIONS: &str = "product of quaternions";
 /// The vector a × b.
 pub(crate) const CROSS_PRODUCT: &str = "cross product";
+pub(crate) const DOT_PRODUCT: &str = "dot product";
 /// Vectors without a sign between them.
 pub(crate) const VECTORS_SIDE_BY_SIDE: &str = "vectors side by side";
 /// A dot that is no dot product.

@@ -163,14 +163,14 @@ impl Builder<'_> {
         self.round_wheel(body, declaration);
         let below = self.system().way_to_contact(body, &plane.normal);
         let centre = self.centre_of(body);
-        let placed = match below {
-            Some(way) => (centre, way),
-            None => {
-                let placed = self.placed_from_contact(&name);
-                placed.or_else(|| self.height_above_contact(&name, &plane.normal))?
-            }
-        };
-        let point = self.system().add_point(&name, Some(placed), Vec::new());
+        let placed = below.map(|way| (centre, way));
+        let placed = placed.or_else(|| self.placed_from_contact(&name));
+        let placed = placed.or_else(|| self.height_above_contact(&name, &plane.normal));
+        if placed.is_none() {
+            // Of a body of any form nothing tells how its point of contact moves.
+            self.say_unused(declaration);
+        }
+        let point = self.system().add_point(&name, placed, Vec::new());
         self.points.insert(name, point);
         self.system().contacts.push(Contact {
             body,

@@ -22,7 +22,7 @@ use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
     are_products, is_of_products, node_of, reach_of, tells_gravity,
 };
-use crate::verify::reading::operators_read::reads_derivative;
+use crate::verify::reading::operators_read::{bracketed, reads_derivative};
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
@@ -182,6 +182,11 @@ impl Builder<'_> {
         let unlabelled = |f: &Formula| labelled_entry(f).is_none();
         if is_of_products(what) && formulas(subjects).any(unlabelled) || rests_for_long(what) {
             return self.say_unused(declaration);
+        }
+        if let Some((opening, product)) = bracketed(subjects, what) {
+            let products = &mut self.reading.letters.customs.products;
+            products.in_brackets.insert(opening, product);
+            return;
         }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);
         if thing || self.is_shape(what.head) || is_force_at(what) || is_reaction(what) {

@@ -3,6 +3,7 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::model::system::FrameId;
+use crate::verify::term::customs::BracketProduct;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
@@ -39,6 +40,29 @@ impl Lowering<'_> {
             }
             None => Ok(list),
         }
+    }
+
+    /// Two vectors in brackets, where a sentence says which product they are.
+    pub(super) fn product_in_brackets(&mut self, node: &Node, list: &[Node]) -> Option<Valued> {
+        let opening = self.source.slice(node.span).chars().next()?;
+        let product = self
+            .letters
+            .customs
+            .products
+            .in_brackets
+            .get(&opening)
+            .copied()?;
+        let [left, right] = list else { return None };
+        let left = self.value(left).ok()?;
+        let right = self.value(right).ok()?;
+        if !left.is_vector() || !right.is_vector() {
+            return None;
+        }
+        let custom = self.custom();
+        Some(match product {
+            BracketProduct::Dot => self.system.dot(&left, &right, custom),
+            BracketProduct::Cross => self.crossed(&left, &right, custom),
+        })
     }
 
     /// A list of components; lists in square brackets within one are the rows of a matrix, as in code.
