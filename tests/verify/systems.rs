@@ -48,6 +48,7 @@ mod scenes;
 mod shapes_and_wholes;
 mod shapes_left_open;
 mod signs_and_orders;
+mod simply_said;
 mod single_edits;
 mod slopes;
 mod small_oscillations;

@@ -215,6 +215,13 @@ impl Builder<'_> {
         Some((other, normal.clone() * -height))
     }
 
+    /// Whether a sentence tells how high something is above where a body touches a plane.
+    pub(super) fn tells_height_above_contact(&self, statement: &Statement) -> bool {
+        let above = height_told(statement).and_then(|(.., above)| self.point(above));
+        let contacts = &self.reading.system.contacts;
+        above.is_some_and(|above| contacts.iter().any(|contact| contact.point == above))
+    }
+
     /// The points that sentences place in a plane.
     fn points_in(&self, plane: &str) -> Vec<PointId> {
         let of_plane = |d: &Declaration| match &d.statement {

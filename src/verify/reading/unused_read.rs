@@ -73,7 +73,10 @@ impl Builder<'_> {
                     subjects,
                     verb: "lie",
                     slots,
-                } => self.is_lying_heard(subjects, slots),
+                } => {
+                    self.is_lying_heard(subjects, slots)
+                        || self.tells_height_above_contact(&declaration.statement)
+                }
                 Statement::Does {
                     subjects,
                     verb: "point",

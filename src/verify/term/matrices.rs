@@ -45,13 +45,12 @@ impl Lowering<'_> {
     /// Two vectors in brackets, where a sentence says which product they are.
     pub(super) fn product_in_brackets(&mut self, node: &Node, list: &[Node]) -> Option<Valued> {
         let opening = self.source.slice(node.span).chars().next()?;
-        let product = self
-            .letters
-            .customs
-            .products
-            .in_brackets
-            .get(&opening)
-            .copied()?;
+        self.bracketed(opening, list)
+    }
+
+    fn bracketed(&mut self, opening: char, list: &[Node]) -> Option<Valued> {
+        let products = &self.letters.customs.products.in_brackets;
+        let product = products.get(&opening).copied()?;
         let [left, right] = list else { return None };
         let left = self.value(left).ok()?;
         let right = self.value(right).ok()?;
@@ -63,6 +62,17 @@ impl Lowering<'_> {
             BracketProduct::Dot => self.system.dot(&left, &right, custom),
             BracketProduct::Cross => self.crossed(&left, &right, custom),
         })
+    }
+
+    /// A factor behind which two vectors stand in round brackets: no function of them, where these are a product.
+    pub(super) fn times_bracketed(&mut self, head: &Node, list: &[Node]) -> Option<Valued> {
+        let product = self.bracketed('(', list)?;
+        let times = |own: &mut Self| {
+            let (factor, product) = (own.value(head)?, product?);
+            let custom = own.custom();
+            own.system.times(&factor, &product, custom)
+        };
+        Some(times(self))
     }
 
     /// A list of components; lists in square brackets within one are the rows of a matrix, as in code.
