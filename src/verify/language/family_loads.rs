@@ -1,11 +1,11 @@
 //! Loads of each of a family: "`$T_i$` is the thrust of rotor `$i$` along z" says of each rotor that its force acts where it
 //! is, and "the thrusts of the rotors" are these forces.
 
-use super::family_places::{Family, Of, families, family_of, numbered};
-use super::heads::{FORCE, MOMENT};
+use super::family_places::{Family, Of, families, family_noun, family_of, numbered};
+use super::heads::{ANGULAR_VELOCITY, FORCE, MOMENT};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
-use super::told_loads::{LoadsOfFamily, put_loads};
+use super::told_loads::{LoadsOfFamily, placed_forces, put_loads};
 use crate::notation::Macros;
 
 /// Nouns of forces that each of a family may exert.
@@ -23,6 +23,8 @@ const MOMENTS: [&str; 5] = [
 /// How large the loads of a family are: letters for each, and along what.
 struct Sized {
     letters: Vec<Formula>,
+    /// The places where they act.
+    places: Vec<Term>,
     along: Option<String>,
     moments: bool,
     /// Whether the letters are said to be magnitudes.
@@ -37,7 +39,8 @@ pub(crate) fn tell_loads_of_families(declarations: &mut Vec<Declaration>, macros
     let mut said = vec![];
     for family in &families {
         for (at, declaration) in declarations.iter().enumerate() {
-            let Some((sized, noun)) = sized(&declaration.statement, family, declarations) else {
+            let Some((sized, noun)) = sized(&declaration.statement, family, declarations, macros)
+            else {
                 continue;
             };
             let loads = sized.loads(macros);
@@ -50,15 +53,21 @@ pub(crate) fn tell_loads_of_families(declarations: &mut Vec<Declaration>, macros
             };
             said.extend(acting.into_iter().map(|s| declaration.saying(s)));
             spent.push(at);
-            told.push(LoadsOfFamily {
+            let own = LoadsOfFamily {
                 family: family.noun.clone(),
                 noun: noun.head,
                 class: if sized.moments { MOMENT } else { FORCE },
                 agent: agent(&noun, family),
                 sum: sized.sum(&loads),
                 magnitudes: sized.magnitudes,
+                count: family.places.len(),
+                only_placed: false,
                 loads,
-            });
+            };
+            match told.iter_mut().find(|all| all.goes_with(&own)) {
+                Some(all) => all.take_in(own),
+                None => told.push(own),
+            }
         }
         if told.iter().any(|own| own.family == family.noun) {
             let ways = declarations.iter().enumerate();
@@ -68,7 +77,12 @@ pub(crate) fn tell_loads_of_families(declarations: &mut Vec<Declaration>, macros
     }
     let mut place = 0..;
     declarations.retain(|_| place.next().is_none_or(|at| !spent.contains(&at)));
+    told.extend(placed_forces(declarations));
     put_loads(declarations, &told, macros);
+    let driven = told.iter().any(|own| own.only_placed) || !families.is_empty();
+    if driven {
+        tell_rates(declarations);
+    }
     declarations.extend(said);
 }
 
@@ -77,6 +91,7 @@ fn sized(
     statement: &Statement,
     family: &Family,
     declarations: &[Declaration],
+    macros: &Macros,
 ) -> Option<(Sized, NounPhrase)> {
     let Statement::Is { subjects, what } = statement else {
         return None;
@@ -87,16 +102,23 @@ fn sized(
     };
     let moments = is_load(noun)?;
     let of = of_family(noun, family)?;
-    let places = |at: &Term| match at {
+    let place = |at: &Term| match at {
         Term::Phrase(place) => family.is_place(place),
         _ => false,
     };
     let known = noun.slots.iter().all(|(slot, term)| match slot {
         Slot::Of | Slot::Upon | Slot::Along => true,
-        Slot::About | Slot::At => places(term),
+        Slot::About | Slot::At => place(term),
         _ => false,
     });
-    let letters = letters(subjects, &of, family)?;
+    let letters = letters(subjects, &of, family, macros)?;
+    let places = match (&of, letters.len()) {
+        (Of::One(label), 1) => {
+            let at = family.labels.iter().position(|own| own == label)?;
+            vec![family.places[at].clone()]
+        }
+        _ => family.places.clone(),
+    };
     let along = match noun.all(Slot::Along).collect::<Vec<_>>().as_slice() {
         [] => way(family, moments, declarations),
         [axis] => Some(written(axis)?),
@@ -108,12 +130,60 @@ fn sized(
     (known && plain && directed).then(|| {
         let sized = Sized {
             letters,
+            places,
             along,
             moments,
             magnitudes,
         };
         (sized, noun.clone())
     })
+}
+
+/// Nouns of how fast each of a family turns.
+const RATES: [&str; 5] = ["spin", "speed", "rate", "angular speed", ANGULAR_VELOCITY];
+
+/// "`$a$` and `$b$` are the spins of the rotors", where no sentence tells of the rotors as bodies: letters of which nothing
+/// else is known than that they change with the time.
+fn tell_rates(declarations: &mut [Declaration]) {
+    let turning: Vec<String> = declarations.iter().flat_map(tells_of_bodies).collect();
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+        let plain = what.slots.iter().all(|(slot, term)| match slot {
+            Slot::Of => family_noun(term).is_some_and(|noun| !turning.contains(&noun)),
+            Slot::RelativeTo => true,
+            _ => false,
+        });
+        let of = what.slot(Slot::Of).is_some();
+        if letters && plain && of && subjects.len() > 1 && RATES.contains(&what.head) {
+            let time = Term::Phrase(Box::new(NounPhrase::new("time", vec![])));
+            *what = NounPhrase::new("function", vec![(Slot::Of, time)]);
+        }
+    }
+}
+
+/// The things of which a sentence tells more than how fast they turn and what they exert.
+fn tells_of_bodies(declaration: &Declaration) -> Vec<String> {
+    let told: Vec<Term> = match &declaration.statement {
+        Statement::Does {
+            subjects,
+            verb,
+            slots,
+        } => match *verb {
+            "turn" | "roll" | "spin" => subjects.clone(),
+            "consist" => slots.iter().map(|(_, term)| term.clone()).collect(),
+            _ => vec![],
+        },
+        Statement::Is { what, .. } if !RATES.contains(&what.head) && is_load(what).is_none() => {
+            let slots = what.slots.iter();
+            let whose = slots.filter(|(slot, _)| matches!(slot, Slot::Of | Slot::FixedIn));
+            whose.map(|(_, term)| term.clone()).collect()
+        }
+        _ => vec![],
+    };
+    told.iter().filter_map(family_noun).collect()
 }
 
 /// Whether a noun is that of a moment, and not of a force.
@@ -140,7 +210,7 @@ fn agent(noun: &NounPhrase, family: &Family) -> Option<Term> {
 }
 
 /// The letter of each: as many as there are, or one with the index in the place of the number.
-fn letters(subjects: &[Term], of: &Of, family: &Family) -> Option<Vec<Formula>> {
+fn letters(subjects: &[Term], of: &Of, family: &Family, macros: &Macros) -> Option<Vec<Formula>> {
     let count = family.places.len();
     let all: Option<Vec<Formula>> = subjects
         .iter()
@@ -152,13 +222,16 @@ fn letters(subjects: &[Term], of: &Of, family: &Family) -> Option<Vec<Formula>> 
     match (all?.as_slice(), of) {
         (all, Of::All) if all.len() == count => Some(all.to_vec()),
         ([one], Of::All) => ["i", "j", "k", "n"].iter().find_map(|index| {
-            let each = (1..=count).map(|number| numbered(one, index, &number.to_string()));
+            let labels = family.labels.iter();
+            let each = labels.map(|label| numbered(one, index, label, macros));
             each.collect()
         }),
         ([one], Of::One(index)) if !family.labels.contains(index) => {
             let each = family.labels.iter();
-            each.map(|label| numbered(one, index, label)).collect()
+            let each = each.map(|label| numbered(one, index, label, macros));
+            each.collect()
         }
+        ([one], Of::One(label)) if family.labels.contains(label) => Some(vec![one.clone()]),
         _ => None,
     }
 }
@@ -264,7 +337,7 @@ fn acting(
         true => Some(loaded(noun, family, declarations)?),
         false => None,
     };
-    let each = loads.iter().zip(&family.places).map(|(load, place)| {
+    let each = loads.iter().zip(&sized.places).map(|(load, place)| {
         let slot = match &body {
             Some(body) => (Slot::Of, body.clone()),
             None => (Slot::At, place.clone()),

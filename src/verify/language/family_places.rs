@@ -5,7 +5,9 @@ use super::bodies::singular;
 use super::in_turn::does_in_turn;
 use super::is_body;
 use super::kinds::name;
+use super::reader;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
 
 /// Nouns of the places of things.
 const PLACES: [&str; 5] = ["middle", "centre", "hub", "mass centre", "place"];
@@ -46,6 +48,7 @@ impl Family {
 
 /// The families of which sentences tell where each is; what tells it of all of them tells it of each.
 pub(super) fn families(declarations: &mut Vec<Declaration>) -> Vec<Family> {
+    name_numbers(declarations);
     let mut families = by_middles(declarations);
     families.extend(laid_in_turn(declarations));
     families.extend(placed_one_by_one(declarations));
@@ -77,16 +80,51 @@ pub(super) fn family_of(term: &Term, noun: &str) -> Option<Of> {
 fn by_middles(declarations: &[Declaration]) -> Vec<Family> {
     let told = declarations.iter().filter_map(|d| match &d.statement {
         Statement::Is { subjects, what } if PLACES.contains(&what.head) => {
-            let [(Slot::Of, Term::Name(many))] = what.slots.as_slice() else {
+            let [(Slot::Of, of)] = what.slots.as_slice() else {
                 return None;
             };
-            let noun = singular(many).filter(|_| subjects.len() > 1)?;
+            let noun = family_noun(of)?;
+            let subjects = match (family_of(of, &noun)?, subjects.as_slice()) {
+                (Of::One(index), [point]) => numbered_points(point, &index, declarations)?,
+                (_, all) => all.to_vec(),
+            };
+            let noun = Some(noun).filter(|_| subjects.len() > 1)?;
             let points = subjects.iter().all(|point| name(point).is_some());
-            (points && is_body(&noun)).then(|| Family::new(noun, subjects.clone()))
+            (points && is_body(&noun)).then(|| Family::new(noun, subjects))
         }
         _ => None,
     });
     told.collect()
+}
+
+/// The noun of all things of a family, or of one.
+pub(super) fn family_noun(term: &Term) -> Option<String> {
+    match term {
+        Term::Name(many) => singular(many),
+        Term::Member { family, .. } => Some(family.clone()),
+        Term::Phrase(phrase) => match phrase.slots.as_slice() {
+            [] | [(Slot::Which, _)] => Some(phrase.head.to_owned()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// "`P_i` is the centre of rotor `i`", where sentences place `P_1`, `P_2` and so on.
+fn numbered_points(point: &Term, index: &str, declarations: &[Declaration]) -> Option<Vec<Term>> {
+    let stem = name(point)?;
+    let stem = stem.strip_suffix(&format!("_{index}"))?.to_owned();
+    let placed = |number: usize| {
+        let own = Some(format!("{stem}_{number}"));
+        declarations.iter().find_map(|d| match &d.statement {
+            Statement::Does { subjects, verb, .. } if LAID.contains(verb) => subjects
+                .iter()
+                .find(|subject| name(subject) == own)
+                .cloned(),
+            _ => None,
+        })
+    };
+    Some((1..).map_while(placed).collect())
 }
 
 /// "The rotors lie at the distance `$l$` from G along x and y": each along its own.
@@ -101,12 +139,12 @@ fn laid_in_turn(declarations: &mut Vec<Declaration>) -> Vec<Family> {
         else {
             continue;
         };
-        let [Term::Name(many)] = subjects.as_slice() else {
+        let [all @ (Term::Name(_) | Term::Phrase(_))] = subjects.as_slice() else {
             continue;
         };
         let ways = slots.iter().filter(|(s, _)| *s == Slot::Along).count();
         let from = slots.iter().any(|(slot, _)| *slot == Slot::From);
-        let Some(noun) = singular(many).filter(|noun| is_body(noun)) else {
+        let Some(noun) = family_noun(all).filter(|noun| is_body(noun)) else {
             continue;
         };
         if ways > 1 && from && LAID.contains(verb) {
@@ -156,15 +194,71 @@ fn placed_one_by_one(declarations: &[Declaration]) -> Vec<Family> {
     families
 }
 
-/// A formula whose letters have a number in the place of the index.
-pub(super) fn numbered(formula: &Formula, index: &str, number: &str) -> Option<Formula> {
-    let mut node = formula.node()?.clone();
-    let mut changed = false;
-    node.change_symbols(&mut |symbol| {
-        for label in symbol.subscripts.iter_mut().filter(|l| *l == index) {
-            *label = number.to_owned();
-            changed = true;
+/// A formula with a number in the place of the index, wherever that stands alone: in labels and in powers.
+pub(super) fn numbered(
+    formula: &Formula,
+    index: &str,
+    number: &str,
+    macros: &Macros,
+) -> Option<Formula> {
+    let source = &formula.source;
+    let mut text = String::new();
+    let mut rest = 0;
+    for (at, _) in source.match_indices(index) {
+        let before = source[..at].chars().next_back();
+        let after = source[at + index.len()..].chars().next();
+        let inside = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '\\');
+        if !inside(before) && !inside(after) {
+            text.push_str(&source[rest..at]);
+            text.push_str(number);
+            rest = at + index.len();
         }
-    });
-    changed.then(|| Formula::of(&node))
+    }
+    text.push_str(&source[rest..]);
+    (rest > 0).then(|| reader::formula(&text, false, macros))?
+}
+
+/// "Rotors 1, 2 and 3": each is a rotor.
+fn name_numbers(declarations: &mut [Declaration]) {
+    for at in 1..declarations.len() {
+        let (before, rest) = declarations.split_at_mut(at);
+        let same = |d: &&Declaration| d.line == rest[0].line && d.text == rest[0].text;
+        let family = before.iter().rev().filter(same).find_map(|d| {
+            let numbered =
+                |term: &&Term| matches!(term, Term::Member { index, .. } if index.source == "1");
+            match d.statement.terms().into_iter().find(numbered) {
+                Some(Term::Member { family, index }) => Some((family.clone(), index.clone())),
+                _ => None,
+            }
+        });
+        let Some((family, index)) = family else {
+            continue;
+        };
+        for term in rest[0].statement.terms_mut() {
+            name_number(term, &family, &index);
+        }
+    }
+}
+
+fn name_number(term: &mut Term, family: &str, index: &Formula) {
+    match term {
+        Term::Numbers(numbers) if numbers.len() == 1 => {
+            let index = Formula {
+                source: numbers[0].to_string(),
+                row: index.row.clone(),
+            };
+            *term = Term::Member {
+                family: family.to_owned(),
+                index,
+            };
+        }
+        Term::Phrase(phrase) => {
+            let of = phrase
+                .slots
+                .iter_mut()
+                .filter(|(slot, _)| *slot == Slot::Of);
+            of.for_each(|(_, term)| name_number(term, family, index));
+        }
+        _ => {}
+    }
 }

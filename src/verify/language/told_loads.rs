@@ -3,6 +3,7 @@
 
 use super::family_places::family_of;
 use super::heads::{FORCE, MOMENT};
+use super::is_body;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
@@ -21,6 +22,54 @@ pub(super) struct LoadsOfFamily {
     pub(super) sum: Vec<String>,
     /// Whether the letters are magnitudes.
     pub(super) magnitudes: bool,
+    /// How many there are, where sentences tell of each in turn.
+    pub(super) count: usize,
+    /// Whether sentences only tell that they act there: nobody says what exerts them.
+    pub(super) only_placed: bool,
+}
+
+/// The forces of which sentences tell where each acts: "the force `$F$` acts at rotor 1".
+pub(super) fn placed_forces(declarations: &[Declaration]) -> Option<LoadsOfFamily> {
+    let mut loads = vec![];
+    let mut families = vec![];
+    for declaration in declarations {
+        if let Some(([Term::Phrase(force)], [(Slot::At, at)])) = declaration.statement.does("act")
+            && let (FORCE, [(Slot::Which, Term::Formula(letter))]) =
+                (force.head, force.slots.as_slice())
+        {
+            loads.push(letter.clone());
+            families.push(noun_of_one(at));
+        }
+    }
+    let first = families.first()?.clone();
+    let same = families.iter().all(|family| *family == first);
+    (loads.len() > 1).then(|| LoadsOfFamily {
+        family: first.filter(|_| same).unwrap_or_default(),
+        noun: FORCE,
+        class: FORCE,
+        agent: None,
+        sum: loads.iter().map(|load| load.source.clone()).collect(),
+        magnitudes: false,
+        count: loads.len(),
+        only_placed: true,
+        loads,
+    })
+}
+
+/// The noun of one of a family: "rotor 1".
+fn noun_of_one(term: &Term) -> Option<String> {
+    match term {
+        Term::Member { family, .. } => Some(family.clone()),
+        Term::Name(name) => {
+            let (noun, _) = name.split_once(' ')?;
+            is_body(noun).then(|| noun.to_owned())
+        }
+        Term::Phrase(phrase) => match phrase.slots.as_slice() {
+            [(Slot::Which, _)] if is_body(phrase.head) => Some(phrase.head.to_owned()),
+            _ => None,
+        },
+        _ => None,
+    }
 }
 
 /// Puts the loads by their letters where sentences speak of all of them.
@@ -84,6 +133,21 @@ fn meant<'a>(noun: &NounPhrase, told: &'a [LoadsOfFamily]) -> Option<&'a LoadsOf
 }
 
 impl LoadsOfFamily {
+    /// Whether other loads are of the same kind and family.
+    pub(super) fn goes_with(&self, other: &Self) -> bool {
+        let family = self.family == other.family && self.agent == other.agent;
+        let kind = self.noun == other.noun && self.class == other.class;
+        family && kind && self.magnitudes == other.magnitudes
+    }
+
+    /// Takes in those of other members.
+    pub(super) fn take_in(&mut self, other: Self) {
+        if self.loads.len() + other.loads.len() <= self.count {
+            self.loads.extend(other.loads);
+            self.sum.extend(other.sum);
+        }
+    }
+
     fn are(&self, noun: &NounPhrase) -> bool {
         let counted = match noun.adjectives.as_slice() {
             [] => false,
@@ -95,15 +159,19 @@ impl LoadsOfFamily {
         let general = matches!(noun.head, FORCE | MOMENT);
         let class = noun.head == self.noun || noun.head == self.class;
         let named = |(slot, term): &(Slot, Term)| match slot {
+            Slot::At => self.only_placed && family_of(term, &self.family).is_some(),
+            _ if self.only_placed => false,
             Slot::Of | Slot::Upon => {
                 family_of(term, &self.family).is_some() || self.agent.as_ref() == Some(term)
             }
             Slot::About => matches!(term, Term::Phrase(_)),
             _ => false,
         };
+        let general = general || self.only_placed;
         let by_noun = noun.slots.is_empty() && (!general || counted);
         let by_family = !noun.slots.is_empty() && noun.slots.iter().all(named);
-        class && (by_noun || by_family)
+        let all = self.loads.len() == self.count;
+        class && all && (by_noun || by_family)
     }
 }
 
