@@ -1,11 +1,11 @@
 //! Loads of each of a family: "`$T_i$` is the thrust of rotor `$i$` along z" says of each rotor that its force acts where it
 //! is, and "the thrusts of the rotors" are these forces.
 
-use super::family_places::{Family, Of, families, family_noun, family_of, numbered};
+use super::family_places::{Family, Of, families, family_noun, family_of, is_place, numbered};
 use super::heads::{ANGULAR_VELOCITY, FORCE, MOMENT};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
-use super::told_loads::{LoadsOfFamily, placed_forces, put_loads};
+use super::told_loads::{LoadsOfFamily, function_of_time, placed_forces, put_loads};
 use crate::notation::Macros;
 
 /// Nouns of forces that each of a family may exert.
@@ -103,7 +103,7 @@ fn sized(
     let moments = is_load(noun)?;
     let of = of_family(noun, family)?;
     let place = |at: &Term| match at {
-        Term::Phrase(place) => family.is_place(place),
+        Term::Phrase(place) => is_place(place),
         _ => false,
     };
     let known = noun.slots.iter().all(|(slot, term)| match slot {
@@ -158,8 +158,7 @@ fn tell_rates(declarations: &mut [Declaration]) {
         });
         let of = what.slot(Slot::Of).is_some();
         if letters && plain && of && subjects.len() > 1 && RATES.contains(&what.head) {
-            let time = Term::Phrase(Box::new(NounPhrase::new("time", vec![])));
-            *what = NounPhrase::new("function", vec![(Slot::Of, time)]);
+            *what = function_of_time();
         }
     }
 }
@@ -176,7 +175,10 @@ fn tells_of_bodies(declaration: &Declaration) -> Vec<String> {
             "consist" => slots.iter().map(|(_, term)| term.clone()).collect(),
             _ => vec![],
         },
-        Statement::Is { what, .. } if !RATES.contains(&what.head) && is_load(what).is_none() => {
+        Statement::Is { what, .. } if !RATES.contains(&what.head) && !is_place(what) => {
+            if is_load(what).is_some() {
+                return vec![];
+            }
             let slots = what.slots.iter();
             let whose = slots.filter(|(slot, _)| matches!(slot, Slot::Of | Slot::FixedIn));
             whose.map(|(_, term)| term.clone()).collect()
@@ -257,7 +259,7 @@ fn way(family: &Family, moments: bool, declarations: &[Declaration]) -> Option<S
 /// Whether all that a sentence tells is where the loads of a family act and along what.
 fn tells_way(statement: &Statement, family: &Family) -> bool {
     let place = |at: &Term| match at {
-        Term::Phrase(place) => family.is_place(place) || place.head == "point",
+        Term::Phrase(place) => is_place(place) || place.head == "point",
         _ => false,
     };
     match statement.does("point").or(statement.does("act")) {

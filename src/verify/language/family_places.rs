@@ -39,11 +39,11 @@ impl Family {
             places,
         }
     }
+}
 
-    /// "its middle", "their middles"
-    pub(super) fn is_place(&self, place: &NounPhrase) -> bool {
-        PLACES.contains(&place.head)
-    }
+/// "its middle", "their middles"
+pub(super) fn is_place(place: &NounPhrase) -> bool {
+    PLACES.contains(&place.head)
 }
 
 /// The families of which sentences tell where each is; what tells it of all of them tells it of each.

@@ -74,9 +74,6 @@ fn noun_of_one(term: &Term) -> Option<String> {
 
 /// Puts the loads by their letters where sentences speak of all of them.
 pub(super) fn put_loads(declarations: &mut [Declaration], told: &[LoadsOfFamily], macros: &Macros) {
-    if told.is_empty() {
-        return;
-    }
     for declaration in declarations {
         if let Some(sum) = sum(&declaration.statement, told, macros) {
             declaration.statement = sum;
@@ -194,6 +191,12 @@ fn sum(statement: &Statement, told: &[LoadsOfFamily], macros: &Macros) -> Option
         subjects: subjects.clone(),
         others: vec![Term::Formula(sum)],
     })
+}
+
+/// What is said of a letter of which nothing else is known than that it changes with the time.
+pub(super) fn function_of_time() -> NounPhrase {
+    let time = Term::Phrase(Box::new(NounPhrase::new("time", vec![])));
+    NounPhrase::new("function", vec![(Slot::Of, time)])
 }
 
 /// The loads of a sum.
