@@ -32,6 +32,7 @@ mod possible_body;
 mod principal_axes;
 mod regressor;
 mod shapes;
+mod spring;
 mod transport;
 
 pub use attitude::{
@@ -56,6 +57,7 @@ pub use possible_body::{ImpossibleInertia, possible_body};
 pub use principal_axes::{PrincipalAxes, principal_axes};
 pub use regressor::{InertiaParameters, regressor};
 pub use shapes::{Moments, Shape, Size};
+pub use spring::{spring_energy, spring_force};
 pub use transport::{
     RelativeAcceleration, relative_acceleration, transport, transport_derived, transport_in_plane,
     transport_twice, velocity_in_moving_frame, velocity_in_moving_plane,

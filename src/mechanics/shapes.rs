@@ -1,4 +1,4 @@
-//! Uniform bodies: mass, mass centre and inertia tensor of rods, plates, cylinders, balls and their parts, by exact
+//! Uniform bodies: mass, mass centre and inertia tensor of rods, plates, cylinders, pyramids, balls and their parts, by exact
 //! integrals.
 //!
 //! No result is remembered here. A body is described once: over which ranges its parameters run, where each point

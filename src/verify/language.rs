@@ -145,6 +145,7 @@ mod turned_vectors;
 mod turns;
 mod understand;
 mod unread;
+mod unsaying;
 mod values_at_which;
 pub(crate) mod wants;
 mod weights;

@@ -98,6 +98,7 @@ fn a_shape_has_the_tensor_of_its_mass() {
     let (r, h) = (0.7, 0.9);
     let half = Vector3::new(0.7, 0.7, 0.9);
     let in_cone = |p: &Vector3<f64>| p.xy().norm() < r * (h - p.z) / (2.0 * h);
+    let in_pyramid = |p: &Vector3<f64>| p.xy().amax() < r * (h - p.z) / (2.0 * h);
     let in_ellipsoid = |p: &Vector3<f64>| p.component_div(&half).norm() < 1.0;
     let cases = [
         (
@@ -115,6 +116,10 @@ fn a_shape_has_the_tensor_of_its_mass() {
         (
             "shape = 'cone', radius = 0.7, height = 1.8",
             summed(half, in_cone),
+        ),
+        (
+            "shape = 'pyramid', base = [1.4, 1.4], height = 1.8",
+            summed(half, in_pyramid),
         ),
         (
             "shape = 'ellipsoid', semi_axes = [0.7, 0.7, 0.9]",

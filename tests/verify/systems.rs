@@ -3,6 +3,7 @@
 mod angles;
 mod at_one_time;
 mod at_zero;
+mod balance;
 mod between_instants;
 mod blows;
 mod by_vectors;
@@ -52,6 +53,7 @@ mod single_edits;
 mod slopes;
 mod small_oscillations;
 mod sound;
+mod springs;
 mod start;
 mod steps;
 mod taken_in_whole;

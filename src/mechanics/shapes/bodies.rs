@@ -22,6 +22,8 @@ pub(super) enum Form {
     Elliptic(Height),
     /// About z, narrowing to its tip. `Wall::Thin` is the lateral surface alone.
     Cone(Wall, Part),
+    /// On a rectangle, narrowing to its tip.
+    Pyramid,
     Paraboloid,
     /// The arc is that of the angle from the z-axis: a half for the whole ball, a quarter for its upper half.
     Ball(Wall, Part),
@@ -72,6 +74,7 @@ pub(super) fn unit<T: Field>(form: Form, sizes: &[T], pi: &T) -> Option<Unit<T>>
             disc.stretched(&Vector3::new(a.clone(), b.clone(), T::one()), a * b)
         }
         Form::Cone(wall, part) => cone(wall, part.arc(pi), &sizes.next()?, &sizes.next()?),
+        Form::Pyramid => pyramid([sizes.next()?, sizes.next()?], &sizes.next()?),
         Form::Paraboloid => paraboloid(Part::Whole.arc(pi), &sizes.next()?, &sizes.next()?),
         Form::Ball(wall, part) => ball(wall.radii(sizes)?, part, pi),
         Form::Ellipsoid(part) => {
@@ -163,12 +166,23 @@ fn cone<T: Field>(wall: Wall, turn: Range<T>, radius: &T, height: &T) -> Unit<T>
         },
         point: [[[1, 0], [1, 0], [1, 0]], [[1, 0], [0, 1], [1, 0]], P],
     };
-    let mut cone = tip_up(chart.into(), radius, height, T::one());
+    let mut cone = tip_up(chart.into(), [radius; 2], height, T::one());
     if wall == Wall::Thin {
         // The slant height is a root.
         cone.content = None;
     }
     cone
+}
+
+/// `r = (t p, t q, t)` from the tip, dV = t² dt dp dq.
+fn pyramid<T: Field>([along_x, along_y]: [T; 2], height: &T) -> Unit<T> {
+    let edge = || about_zero(Some(T::one()));
+    let chart = Chart {
+        ranges: [edge(), edge(), Range::Segment(T::zero(), T::one())],
+        measure: [[0, 0], [0, 0], [2, 0]],
+        point: [[[1, 0], [0, 0], [1, 0]], [[0, 0], [1, 0], [1, 0]], R],
+    };
+    tip_up(chart.into(), [&along_x, &along_y], height, T::one())
 }
 
 /// `r = (t ρ cos φ, t ρ sin φ, t²)` from the tip, dV = 2 t³ ρ dt dρ dφ.
@@ -183,14 +197,15 @@ fn paraboloid<T: Field>(turn: Range<T>, radius: &T, height: &T) -> Unit<T> {
             [[2, 0], [0, 0], [0, 0]],
         ],
     };
-    tip_up(chart.into(), radius, height, T::int(2))
+    tip_up(chart.into(), [radius; 2], height, T::int(2))
 }
 
-/// A body of radius 1 and height 1 along z from its tip, to these sizes with the base in z = 0 and the tip above it.
-fn tip_up<T: Field>(body: Unit<T>, radius: &T, height: &T, factor: T) -> Unit<T> {
-    let stretch = Vector3::new(radius.clone(), radius.clone(), -height.clone());
+/// A body of height 1 along z from its tip, its base stretched along x and y and its height to these sizes, with the base
+/// in z = 0 and the tip above it.
+fn tip_up<T: Field>(body: Unit<T>, [x, y]: [&T; 2], height: &T, factor: T) -> Unit<T> {
+    let stretch = Vector3::new(x.clone(), y.clone(), -height.clone());
     let shift = Vector3::new(T::zero(), T::zero(), height.clone());
-    let volume = radius.clone() * radius.clone() * height.clone();
+    let volume = x.clone() * y.clone() * height.clone();
     body.image(&Matrix3::from_diagonal(&stretch), &shift, volume * factor)
 }
 

@@ -90,7 +90,7 @@ use Part::{Half, Quarter, Whole};
 use Wall::{Solid, Thick, Thin};
 
 #[rustfmt::skip]
-static TABLE: [Row; 41] = [
+static TABLE: [Row; 42] = [
     row("rod", 1, &[LENGTH], Form::Rod, "along z, the origin in the middle"),
     row("ring", 1, &[RADIUS], Round(Thin, Whole, Flat), FLAT),
     row("half ring", 1, &[RADIUS], Round(Thin, Half, Flat), HALF_FLAT),
@@ -125,6 +125,7 @@ static TABLE: [Row; 41] = [
     row("cone", 3, &[RADIUS, HEIGHT], Cone(Solid, Whole), TIP),
     row("half cone", 3, &[RADIUS, HEIGHT], Cone(Solid, Half), HALF_TIP),
     row("quarter cone", 3, &[RADIUS, HEIGHT], Cone(Solid, Quarter), QUARTER),
+    row("pyramid", 3, &[lengths("base", 2), HEIGHT], Form::Pyramid, "the base in the plane z = 0, its edges along x, y, the origin in its centre, the tip at z = height"),
     row("paraboloid", 3, &[RADIUS, HEIGHT], Form::Paraboloid, TIP),
     row("sphere", 3, &[RADIUS], Ball(Solid, Half), CENTRE),
     row("half sphere", 3, &[RADIUS], Ball(Solid, Quarter), DOME),

@@ -49,7 +49,7 @@ fn lattice(parts: i32, inside: impl Fn(f64, f64, f64) -> bool) -> Moments<f64> {
 #[test]
 fn solids_are_their_points() {
     type Inside = fn(f64, f64, f64) -> bool;
-    let cases: [(&str, &[f64], Inside); 6] = [
+    let cases: [(&str, &[f64], Inside); 7] = [
         ("half cone", &[1.5, 1.8], |x, y, z| {
             y > 0.0 && z > 0.0 && x.hypot(y) < 1.5 * (1.0 - z / 1.8)
         }),
@@ -61,6 +61,9 @@ fn solids_are_their_points() {
         }),
         ("quarter tube", &[0.8, 1.9, 3.0], |x, y, z| {
             x > 0.0 && y > 0.0 && (0.8..1.9).contains(&x.hypot(y)) && z.abs() < 1.5
+        }),
+        ("pyramid", &[3.0, 2.4, 1.8], |x, y, z| {
+            z > 0.0 && (x.abs() / 1.5).max(y.abs() / 1.2) < 1.0 - z / 1.8
         }),
         ("paraboloid", &[1.5, 1.8], |x, y, z| {
             z > 0.0 && (x * x + y * y) / 2.25 < 1.0 - z / 1.8

@@ -54,7 +54,7 @@ pub(super) const APART: [&str; 23] = [
 const ENTIRE: [&str; 3] = ["whole", "entire", "complete"];
 
 /// Shapes that are called right where their axis is perpendicular to their base.
-const RIGHT: [&str; 3] = ["cylinder", "cone", "prism"];
+const RIGHT: [&str; 4] = ["cylinder", "cone", "prism", "pyramid"];
 
 /// Words that count, point, compare or say how, and never name a body.
 const NO_NAMES: [&str; 48] = [

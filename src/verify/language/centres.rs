@@ -1,17 +1,18 @@
 //! Centres of shapes that are their mass centres, and sentences by which they may not be.
 
-use super::heads::MASS_CENTRE;
+use super::heads::{MASS_CENTRE, UNBALANCED};
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement};
 use std::collections::BTreeSet;
 
 /// Shapes whose centre, the middle of a face or of what they are cut from, is not their mass centre.
-const ONE_SIDED: [&str; 6] = [
+const ONE_SIDED: [&str; 7] = [
     "half-disc",
     "half-cylinder",
     "half-sphere",
     "half-ring",
     "cone",
+    "pyramid",
     "triangle",
 ];
 
@@ -53,7 +54,9 @@ fn names_with(
 pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
     let mut uniform = names_with(declarations, |what| what.is("uniform"));
     let one_sided = names_with(declarations, |what| ONE_SIDED.contains(&what.head));
+    let unbalanced = names_with(declarations, |what| what.head == UNBALANCED);
     uniform.retain(|thing| !one_sided.contains(thing) && !ONE_SIDED.contains(&thing.as_str()));
+    uniform.retain(|thing| !unbalanced.contains(thing));
     for declaration in declarations {
         if let Statement::Is { what, .. } = &mut declaration.statement
             && matches!(what.head, "centre" | "middle")

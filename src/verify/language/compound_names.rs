@@ -1,4 +1,5 @@
-//! "The pendulum arm" and "the arm": one body, where no other word stands before the noun.
+//! "The pendulum arm" and "the arm": one body, where no other word stands before the noun; "the wheel assembly" and "the rod
+//! assembly": two.
 
 use super::bodies::APART;
 use super::lexicon::{Class, Lexicon};
@@ -19,6 +20,12 @@ impl Compounds {
             }
         }
         Self(before)
+    }
+
+    /// The names of bodies that are told apart by the words before one noun.
+    pub(crate) fn told_apart(&self) -> impl Iterator<Item = String> {
+        let several = self.0.iter().filter(|(_, words)| words.len() > 1);
+        several.flat_map(|(noun, words)| words.iter().map(move |word| format!("{word} {noun}")))
     }
 
     /// The sentence with the noun alone, where one word only stands before it anywhere.

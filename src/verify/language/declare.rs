@@ -37,8 +37,10 @@ pub fn read_declarations(
     join_attachments(&mut parted);
     say_where(&mut parted, lexicon, macros);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
-    let bodies = introduced(understood, lexicon);
-    name_by_kinds(&mut parted, lexicon);
+    let mut bodies = introduced(understood.clone(), lexicon);
+    let compounds = Compounds::of(understood, lexicon);
+    bodies.extend(compounds.told_apart());
+    name_by_kinds(&mut parted, &compounds, lexicon);
     let (mut declarations, mut misread) = (vec![], vec![]);
     let mut before: Vec<&[Token]> = vec![];
     for ((line, sentence), tokens) in sentences.iter().zip(&parted) {
@@ -150,10 +152,13 @@ fn reminding(
 }
 
 /// Names bodies by what sentences together say of their kinds: "both gimbals", "each wheel", "the pendulum arm".
-fn name_by_kinds(sentences: &mut [Result<Vec<Token>, Misread>], lexicon: &Lexicon) {
+fn name_by_kinds(
+    sentences: &mut [Result<Vec<Token>, Misread>],
+    compounds: &Compounds,
+    lexicon: &Lexicon,
+) {
     let all = || sentences.iter().flatten().map(Vec::as_slice);
     let (counting, kinds) = (counting_letters(all()), Kinds::of(all()));
-    let compounds = Compounds::of(all(), lexicon);
     for tokens in sentences.iter_mut().flatten() {
         if let Some(shorter) = compounds.shortened(tokens, lexicon) {
             *tokens = shorter;
@@ -206,7 +211,10 @@ fn unread(
     let of_lines = reader.spoken_of().ok().flatten();
     let extents = of_lines.clone().or_else(|| {
         reader.at = 0;
-        reader.extents().ok().filter(|extents| !extents.is_empty())
+        let extents = reader.extents().ok();
+        let whole = |extents: &Vec<Extent>| extents.is_empty() || *extents == [Extent::Document];
+        let extents = extents.filter(|extents| !whole(extents));
+        extents.or_else(|| reader.lines_of_formula())
     });
     let mut extents = extents.unwrap_or_else(|| vec![Extent::Document]);
     let limited = extents != [Extent::Document] || may_be_limited;

@@ -9,7 +9,7 @@ use super::words::Kind;
 const MOST_EXTENTS: usize = 200;
 
 /// How a line is called.
-const LINES: [&str; 4] = ["line", "lines", "row", "rows"];
+pub(super) const LINES: [&str; 4] = ["line", "lines", "row", "rows"];
 
 /// How parts of a document with a number are called: their heading begins so.
 const UNITS: [&str; 9] = [

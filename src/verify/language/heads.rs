@@ -100,6 +100,7 @@ pub(crate) const QUATERNION_PRODUCT: &str = "quaternion product";
 pub(crate) const SCALAR_PART: &str = "scalar part";
 /// Its vector part.
 pub(crate) const VECTOR_PART: &str = "vector part";
+pub(crate) const DECIMAL_NUMBERS: &str = "decimal numbers";
 pub(crate) const QUATERNION: &str = "quaternion";
 /// A quaternion whose scalar part is written first.
 pub(crate) const SCALAR_FIRST: &str = "scalar first";
@@ -194,11 +195,20 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
     "horizontal",
     "horizontally",
 ];
+/// Turning steadily about an axis without a moment: the mass centre is on it, and it is a principal axis.
+pub(crate) const DYNAMICALLY_BALANCED: &str = "dynamically balanced";
+/// With the mass centre on an axis.
+pub(crate) const STATICALLY_BALANCED: &str = "statically balanced";
+/// Not balanced, in one way or the other.
+pub(crate) const UNBALANCED: &str = "unbalanced";
+/// How long a spring is on which nothing acts.
+pub(crate) const NATURAL_LENGTH: &str = "natural length";
 /// Words of sentences about loads.
 pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "loads", "exerts"];
 /// Words of sentences about where a potential energy is zero.
 pub(crate) const OF_POTENTIALS: [&str; 3] = ["potential", "energy", "gravity"];
 pub(crate) const VERTICAL: &str = "vertical";
+pub(crate) const VERTICALLY_ABOVE: &str = "vertically above";
 /// What is said of densities.
 pub(crate) const PER_UNIT: [&str; 4] = [
     "per unit length",
@@ -347,6 +357,10 @@ mod tests {
             STEP_SIZE,
             POSITIVE_ABOUT,
             CONTACT_POINT,
+            NATURAL_LENGTH,
+            DYNAMICALLY_BALANCED,
+            STATICALLY_BALANCED,
+            UNBALANCED,
         ];
         let kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
         let more = kinds.chain(&PLAIN_ADVERBS).copied();
@@ -361,6 +375,7 @@ mod tests {
                     Class::Mark,
                     Class::Meaning,
                     Class::Verb,
+                    Class::Adjective,
                 ],
             );
             assert!(entry.is_some(), "{head}");

@@ -100,7 +100,10 @@ impl<'a> Reader<'a> {
     pub(crate) fn noun_next(&self) -> bool {
         let article = usize::from(ARTICLES.contains(&self.word()));
         let noun = [Class::Noun, Class::Place, Class::Adjective];
-        !self.at_renaming() && self.lexicon.find(self.following(article), &noun).is_some()
+        let adverb = self.find(&[Class::Adverb]).is_some();
+        !self.at_renaming()
+            && !adverb
+            && self.lexicon.find(self.following(article), &noun).is_some()
     }
 
     /// Whether two members of a list may stand in one slot: no quantity beside a thing, and no relation, which is a clause.

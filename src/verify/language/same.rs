@@ -1,7 +1,7 @@
 //! What a sentence takes from the one before: "the same vector in components on N", "the Coriolis force and … on P in A".
 
 use super::corresponding::tell_corresponding;
-use super::heads::{ACCELERATION, ANGULAR_VELOCITY, POSITION, VELOCITY};
+use super::heads::{ACCELERATION, ANGULAR_VELOCITY, POSITION, UNIT_VECTOR, VELOCITY};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 use crate::notation::ast::{Kind, Node};
@@ -33,25 +33,28 @@ pub(crate) fn tell_the_same(declarations: &mut Vec<Declaration>) {
         };
         let told = before.iter().rev().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } => match subjects.as_slice() {
-                [Term::Formula(_)] => Some(inner(what).0),
+                [letter @ Term::Formula(_)] => Some((letter, inner(what).0)),
                 _ => None,
             },
             _ => None,
         });
-        let like = |told: &&NounPhrase| {
+        let like = |(_, told): &(&Term, &NounPhrase)| {
             let kind = own.head == told.head || own.head == "vector";
             kind && told.slot(Slot::ForAny).is_none()
         };
-        let Some(told) = told.filter(like) else {
+        let Some((letter, told)) = told.filter(like) else {
             continue;
         };
-        let mut slots = told.slots.clone();
-        slots.retain(|(slot, _)| *slot != Slot::On);
-        slots.push((Slot::On, on));
-        *what = NounPhrase {
-            slots,
-            ..told.clone()
+        // A vector that may be any is known by its letter alone.
+        let mut same = match told.head {
+            "vector" | UNIT_VECTOR => {
+                NounPhrase::new("vector", vec![(Slot::Which, letter.clone())])
+            }
+            _ => told.clone(),
         };
+        same.slots.retain(|(slot, _)| *slot != Slot::On);
+        same.slots.push((Slot::On, on));
+        *what = same;
     }
 }
 

@@ -1,14 +1,16 @@
 //! What can be told of a sentence that is not understood: of which letters it speaks, and what it may change.
 
 use super::clause::as_formula;
+use super::extent::LINES;
 use super::heads::OF_COUNTING;
 use super::lexicon::Class;
 use super::one_thing::{is_letter, is_of_one_thing};
 use super::phrase::NOUNS;
 use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
-use super::statement::{Formula, Sign, Touched};
+use super::statement::{Extent, Formula, Sign, Touched};
 use super::times::begins_with_time;
+use super::unsaying::{DENYING, RETRACTING, retracts};
 use super::words::{Kind, Token};
 use crate::notation::document::Row;
 
@@ -18,98 +20,24 @@ const FOR_ALL: [&str; 4] = ["any", "every", "each", "all"];
 /// Words for what the sentence before spoke of.
 const PRONOUNS: [&str; 3] = ["it", "they", "both"];
 
+/// Prepositions by which a noun goes on behind a comma.
+const DESCRIBING: [&str; 6] = ["as", "in", "on", "of", "with", "from"];
+
 /// Verbs of what a thing has.
 const OWNING: [&str; 5] = ["have", "have components", "consist", "depend", "hold"];
 
 /// Prepositions that behind "is" say what a thing is.
 const OF_WHAT_IT_IS: [&str; 5] = ["of", "with", "as", "with axes", "with edges"];
 
-/// Words that take something back.
-const DENYING: [&str; 6] = ["not", "no", "never", "except", "unless", "without"];
-
-/// Words of what is not as bodies, frames and angles are by default.
-const RETRACTING: [&str; 53] = [
-    "left-handed",
-    "handed",
-    "elastic",
-    "flexible",
-    "deformable",
-    "deforms",
-    "fluid",
-    "liquid",
-    "hole",
-    "hollow",
-    "cut",
-    "removed",
-    "half",
-    "quarter",
-    "part",
-    "oblique",
-    "clockwise",
-    "means",
-    "mean",
-    "denotes",
-    "stands",
-    "changes",
-    "varies",
-    "grows",
-    "loses",
-    "triad",
-    "inverted",
-    "left",
-    "left-hand",
-    "hand",
-    "usual",
-    "opposite",
-    "backward",
-    "backwards",
-    "reversed",
-    "burns",
-    "leaks",
-    "ejects",
-    "gathers",
-    "drops",
-    "sheds",
-    "consumes",
-    "expels",
-    "absorbs",
-    "melts",
-    "wears",
-    "falls",
-    "bends",
-    "stretches",
-    "rain",
-    "sand",
-    "fuel",
-    "snow",
-];
-
-/// What stands before "not" where a verb follows.
-const AUXILIARIES: [&str; 4] = ["do", "does", "can", "may"];
-
-/// Words of how something is counted or written.
-const RULING: [&str; 21] = [
-    "sign",
-    "signs",
-    "sense",
-    "angle",
-    "angles",
-    "unit",
-    "units",
-    "counted",
-    "measured",
-    "letter",
-    "letters",
-    "bold",
-    "written",
-    "negative",
-    "positive",
-    "degrees",
-    "radians",
-    "notation",
-    "components",
-    "direction",
-    "read",
+/// What is written on a line.
+const FORMULAS: [&str; 7] = [
+    "formula",
+    "formulas",
+    "relation",
+    "equation",
+    "equality",
+    "expression",
+    "statement",
 ];
 
 /// Words that begin a time or a case in which alone something holds.
@@ -153,6 +81,22 @@ impl Reader<'_> {
         Ok(formulas.filter(|_| names).unwrap_or_default())
     }
 
+    /// The lines of a formula that a sentence is about: "The second formula of line 5 …". It changes them alone.
+    pub(crate) fn lines_of_formula(&mut self) -> Option<Vec<Extent>> {
+        self.at = 0;
+        let first = self.tokens.iter().take(3);
+        let about = ARTICLES.contains(&self.word())
+            && first.skip(1).any(|t| FORMULAS.contains(&t.lower.as_str()));
+        let line = |pair: &[Token]| {
+            LINES.contains(&pair[0].lower.as_str()) && pair[1].kind == Kind::Number
+        };
+        let lines = self.tokens.windows(2).position(line).filter(|_| about)?;
+        self.at = lines;
+        let found = self.spoken_of().ok().flatten();
+        self.at = 0;
+        found
+    }
+
     /// What a sentence may change, from behind the part of the document that it is said of: one that is said of a part may
     /// tell there of anything anew.
     pub(crate) fn touched(&mut self, of_a_part: bool) -> Touched {
@@ -165,8 +109,8 @@ impl Reader<'_> {
         let things = !sign_first && self.is_about_things();
         self.at = start;
         // How things move and what acts on them changes no letter but those that tell of it.
-        let adds = things && self.says_what_a_thing_does() || !sign_first && self.adds_a_premise();
-        let moving = adds && !of_a_part;
+        let moves = things && self.says_what_a_thing_does() || !sign_first && self.adds_a_premise();
+        let moving = moves && !of_a_part;
         let (formulas, signs) = self.formulas_and_signs(!subjects.is_empty());
         self.at = start;
         let letters = !subjects.is_empty() && subjects.iter().all(is_of_one_thing);
@@ -178,8 +122,10 @@ impl Reader<'_> {
         };
         let any = (1..self.tokens.len()).any(for_all);
         let whole = !signs.other_rule && !of_a_part;
+        let tells = things && !rule_behind && !self.unsays() && self.says_what_is_known();
+        let adds = moving || tells && !of_a_part;
         // What it says of a thing may take back what is assumed of all things: "it is a left-handed frame", "it has a hole".
-        if moving && signs.found.is_empty() {
+        if adds && signs.found.is_empty() {
             let anew = false;
             Touched::Letters { formulas, anew }
         } else if things || rule_behind {
@@ -217,7 +163,7 @@ impl Reader<'_> {
         subjects
     }
 
-    /// Whether something is joined to what is said of the subject, and no list of formulas: another clause may be a rule.
+    /// Whether another clause is joined to what is said of the subject: it may be a rule.
     fn joins_more(&self) -> bool {
         let joins = |t: &Token| matches!(t.kind, Kind::Semicolon | Kind::Comma) || t.lower == "and";
         let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
@@ -225,7 +171,10 @@ impl Reader<'_> {
         let first = rest.iter().position(|t| t.kind == Kind::Word);
         let behind = first.map_or(rest, |first| &rest[first..]);
         let joint = |pair: &[Token]| joins(&pair[0]) && !joins(&pair[1]) && !formula(&pair[1]);
-        behind.windows(2).any(joint)
+        let described = |pair: &[Token]| DESCRIBING.contains(&pair[1].lower.as_str());
+        behind
+            .windows(2)
+            .any(|pair| joint(pair) && !described(pair))
     }
 
     /// Whether the subject is a thing, a place, or what the sentence before spoke of, and no way to write something.
@@ -286,22 +235,6 @@ impl Reader<'_> {
             || from_start(Self::says_what_things_do)
     }
 
-    /// Whether a word may take back what is assumed of all things of a kind, or may be of a rule.
-    fn takes_back(&self) -> bool {
-        let tokens = self.tokens.get(self.at..).unwrap_or_default();
-        let word = |at: usize| tokens.get(at).map_or("", |t| t.lower.as_str());
-        // That something does not act, or that nothing does, adds to what is known.
-        let denies = |at: usize| match word(at) {
-            "not" => at == 0 || !AUXILIARIES.contains(&word(at - 1)),
-            "no" => word(at + 1) == "longer",
-            "without" => false,
-            denying => DENYING.contains(&denying),
-        };
-        // "while `$u$` is positive"
-        let condition = |at: usize| at > 1 && tokens[at - 2].kind == Kind::Formula;
-        (0..tokens.len()).any(|at| denies(at) || retracts(word(at)) && !condition(at))
-    }
-
     /// Whether it tells what a thing, a place or a load does, and of no way to write or to count: "The strings do not stretch
     /// …". What a thing is may take back what is assumed of all things of its kind.
     fn says_what_things_do(&mut self) -> bool {
@@ -326,6 +259,36 @@ impl Reader<'_> {
     /// "The lift …", "the force of the hoop …"
     fn begins_with_load(&mut self) -> bool {
         self.take_any(&ARTICLES) && self.at_load()
+    }
+
+    /// Whether it says what something does, or that it is one of the things and quantities that are known. Such a sentence adds
+    /// to what is known; an adjective, and what a thing has, may take back what is assumed of all things of its kind.
+    fn says_what_is_known(&mut self) -> bool {
+        let start = self.at;
+        let verb = (start..self.tokens.len()).find(|&at| {
+            self.at = at;
+            COPULAS.contains(&self.word()) || self.find(&[Class::Verb]).is_some()
+        });
+        let says = verb.is_some()
+            && match COPULAS.contains(&self.word()) {
+                true => {
+                    self.at += 1;
+                    let article = self.take_any(&ARTICLES);
+                    while let Some(adjective) = self.find(&[Class::Adjective]) {
+                        self.at += adjective.length;
+                    }
+                    article
+                        && self
+                            .find(&[Class::Thing, Class::Place, Class::Noun])
+                            .is_some()
+                        || self.find(&[Class::Passive, Class::Preposition]).is_some()
+                }
+                false => self
+                    .find(&[Class::Verb])
+                    .is_some_and(|verb| !OWNING.contains(&verb.entry.name)),
+            };
+        self.at = start;
+        says
     }
 
     /// "… is a particle …", "… are two thin rods …", "… are the only loads …"
@@ -396,9 +359,4 @@ impl Reader<'_> {
             false => self.labels().ok(),
         }
     }
-}
-
-/// Whether a word may take back what is assumed of things, or may tell how something is counted or written.
-fn retracts(word: &str) -> bool {
-    RETRACTING.contains(&word) || RULING.contains(&word)
 }

@@ -177,46 +177,42 @@ impl System {
         }
     }
 
-    /// Which of two frames turns freely against the other.
-    fn turned_freely(&self, one: FrameId, other: FrameId) -> Option<FrameId> {
-        let against = |frame: FrameId, parent: FrameId| {
-            let own = &self.frames[frame];
-            own.parent == Some(parent) && own.turn == Turn::Free
-        };
-        let mut either = [(one, other), (other, one)].into_iter();
-        either
-            .find(|&(frame, parent)| against(frame, parent))
-            .map(|(frame, _)| frame)
-    }
-
-    /// The unit quaternion, scalar first, by which q v q* takes components on one frame to components on another, where one
-    /// of them turns by a quaternion against the other, or both against a third one.
+    /// The unit quaternion, scalar first, by which q v q* takes components on one frame to components on another, where each
+    /// frame between them turns by a quaternion, or by an angle.
     pub(crate) fn unit_quaternion(
         &mut self,
         to: FrameId,
         from: FrameId,
     ) -> Option<Vector4<Fraction>> {
-        if self.turned_freely(from, to).is_some() {
-            return self.quaternion_of_link(to, from);
+        let (up, down) = (self.links(from, to), self.links(to, from));
+        let mut links = vec![];
+        for link in down {
+            links.push(mechanics::quaternion_conjugate(
+                &self.quaternion_of_link(link)?,
+            ));
         }
-        let third = self.frames[from].parent?;
-        (self.frames[to].parent == Some(third)).then_some(())?;
-        let first = self.quaternion_of_link(third, from)?;
-        let second = self.quaternion_of_link(to, third)?;
-        Some(mechanics::quaternion_product(&second, &first))
+        for link in up.into_iter().rev() {
+            links.push(self.quaternion_of_link(link)?);
+        }
+        let product = |first, second| mechanics::quaternion_product(&first, &second);
+        links.into_iter().reduce(product)
     }
 
-    /// The same of a frame and the one against which it turns.
-    fn quaternion_of_link(&mut self, to: FrameId, from: FrameId) -> Option<Vector4<Fraction>> {
-        let turned = self.turned_freely(from, to)?;
-        if !self.frames[turned].by_quaternion {
-            return None;
-        }
-        let q = self.quaternion_of_turn(turned);
-        Some(match turned == from {
-            true => q,
-            false => mechanics::quaternion_conjugate(&q),
-        })
+    /// The one by which it takes components on a frame to components on its parent. That of a turn by an angle about a unit
+    /// vector n is (cos θ/2, n sin θ/2).
+    fn quaternion_of_link(&mut self, frame: FrameId) -> Option<Vector4<Fraction>> {
+        let (axis, angle) = match self.frames[frame].turn.clone() {
+            Turn::Free if self.frames[frame].by_quaternion => {
+                return Some(self.quaternion_of_turn(frame));
+            }
+            Turn::Angle(axis, angle) => (super::system::unit(axis), angle),
+            Turn::About(axis, angle) => (*axis, angle),
+            _ => return None,
+        };
+        let half = *angle * Fraction::from_ratio(1, 2);
+        let (cosine, sine) = self.atoms.cosine_sine(&half)?;
+        let [x, y, z] = [0, 1, 2].map(|k| axis[k].clone() * sine.clone());
+        Some(Vector4::new(cosine, x, y, z))
     }
 
     /// The unit quaternion of a frame that turns freely, by modified Rodrigues parameters σ, which leave no root:

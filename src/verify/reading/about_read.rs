@@ -64,7 +64,7 @@ impl Builder<'_> {
     }
 
     /// A point of a body that is fixed in space.
-    fn fixed_point_of(&self, body: BodyId) -> Option<PointId> {
+    pub(super) fn fixed_point_of(&self, body: BodyId) -> Option<PointId> {
         let mut points = 0..self.reading.system.points.len();
         points.find(|&point| self.is_fixed_point(point, body))
     }

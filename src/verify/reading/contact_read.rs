@@ -2,6 +2,7 @@
 
 use crate::verify::language::centres::speaks_of_centre;
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
+use crate::verify::language::heads::VERTICALLY_ABOVE;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
@@ -13,6 +14,8 @@ use crate::verify::term::quantity::Spot;
 
 /// Quantities that only what moves has.
 const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
+
+const HEIGHT: &str = "height";
 
 /// A plane that things touch from below.
 const CEILING: &str = "ceiling";
@@ -162,7 +165,10 @@ impl Builder<'_> {
         let centre = self.centre_of(body);
         let placed = match below {
             Some(way) => (centre, way),
-            None => self.placed_from_contact(&name)?,
+            None => {
+                let placed = self.placed_from_contact(&name);
+                placed.or_else(|| self.height_above_contact(&name, &plane.normal))?
+            }
         };
         let point = self.system().add_point(&name, Some(placed), Vec::new());
         self.points.insert(name, point);
@@ -194,6 +200,19 @@ impl Builder<'_> {
             _ => None,
         })?;
         Some((other, -self.way_said(slots, declaration, true)?))
+    }
+
+    /// The same by the height of another point above it: "G lies at the height `$R$` above C", "`$R$` is the height of G above C".
+    fn height_above_contact(&mut self, name: &str, normal: &Vector) -> Option<(PointId, Vector)> {
+        let declarations = self.declarations;
+        let (other, height, declaration) = declarations.iter().find_map(|d| {
+            let (other, height, above) = height_told(&d.statement)?;
+            let here = name_of(above).as_deref() == Some(name);
+            Some((self.point(other).filter(|_| here)?, height, d))
+        })?;
+        let height = self.scalar_term(height, declaration)?;
+        self.make_constant(&height);
+        Some((other, normal.clone() * -height))
     }
 
     /// The points that sentences place in a plane.
@@ -336,5 +355,31 @@ impl Builder<'_> {
         let point = self.point(at)?;
         let there = self.reading.system.body_point(body, point)?;
         Some(Spot::Carried(there))
+    }
+}
+
+/// What lies at a height above what.
+fn height_told(statement: &Statement) -> Option<(&Term, &Term, &Term)> {
+    match statement {
+        Statement::Is { subjects, what } if what.head == HEIGHT => {
+            let above = what.slot(Slot::With)?;
+            Some((what.slot(Slot::Of)?, subjects.first()?, above))
+        }
+        Statement::Does {
+            subjects,
+            verb: "lie",
+            slots,
+        } => {
+            let height = match slot(slots, Slot::At)? {
+                Term::Phrase(height) if height.head == HEIGHT => height.slot(Slot::Which)?,
+                _ => return None,
+            };
+            let above = match slot(slots, Slot::With)? {
+                Term::Phrase(place) if place.head == VERTICALLY_ABOVE => place.slot(Slot::Of)?,
+                point => point,
+            };
+            Some((subjects.first()?, height, above))
+        }
+        _ => None,
     }
 }

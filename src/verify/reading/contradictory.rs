@@ -1,6 +1,6 @@
 //! Sentences that contradict each other: none of them tells anything.
 
-use crate::verify::language::heads::VERTICAL;
+use crate::verify::language::heads::{DYNAMICALLY_BALANCED, UNBALANCED, VERTICAL};
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
 use crate::verify::reading::names::name_of;
 use std::collections::BTreeMap;
@@ -50,6 +50,7 @@ fn contradicted(declarations: &[Declaration]) -> Vec<Option<usize>> {
     let denies = |one: &Told<'_>, other: &Told<'_>| {
         places_otherwise(one, other)
             || turns_otherwise(one, other)
+            || balances_otherwise(one, other)
             || measures_otherwise(one, other)
             || has_other_axis(one, other, declarations)
     };
@@ -83,6 +84,8 @@ struct Told<'d> {
     /// The axis of a body, by their names.
     axis: Option<(String, String)>,
     turned: Option<Turned<'d>>,
+    /// What is balanced or not, about an axis or about that about which it turns.
+    balanced: Option<(&'d [Term], bool, Option<&'d Term>)>,
 }
 
 /// What turns, with the words that tell how.
@@ -96,12 +99,13 @@ impl<'d> Told<'d> {
             sizes: sizes_across(declaration),
             axis: axis(declaration),
             turned: declaration.statement.does("turn"),
+            balanced: balanced(declaration),
         }
     }
 
     fn tells(&self) -> bool {
         let told = self.placed.is_some() || self.axis.is_some() || self.turned.is_some();
-        told || !self.sizes.is_empty()
+        told || self.balanced.is_some() || !self.sizes.is_empty()
     }
 }
 
@@ -142,6 +146,30 @@ fn turns_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
         && one.declaration.extent == other.declaration.extent
         && from(slots) == from(besides)
         && matches!((axis(slots), axis(besides)), (Some(first), Some(second)) if first != second)
+}
+
+/// What is balanced statically alone may be called unbalanced.
+fn balanced(declaration: &Declaration) -> Option<(&[Term], bool, Option<&Term>)> {
+    let Statement::Is { subjects, what } = &declaration.statement else {
+        return None;
+    };
+    let balanced = match what.head {
+        DYNAMICALLY_BALANCED => true,
+        UNBALANCED => false,
+        _ => return None,
+    };
+    Some((subjects, balanced, what.slot(Slot::About)))
+}
+
+/// Whether one thing is said to be balanced, and to be unbalanced about the same axis.
+fn balances_otherwise(one: &Told<'_>, other: &Told<'_>) -> bool {
+    match (one.balanced, other.balanced) {
+        (Some((things, first, about)), Some((others, second, axis))) => {
+            let same_axis = about == axis || about.is_none() || axis.is_none();
+            things == others && first != second && same_axis
+        }
+        _ => false,
+    }
 }
 
 fn about(slots: &[(Slot, Term)]) -> Vec<&Term> {

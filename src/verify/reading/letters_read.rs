@@ -2,9 +2,10 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, FIRST_ORDER_CHANGE, IMAGINARY_UNIT,
-    JACOBIAN, MOMENT_OF_INERTIA, NATURAL_BASE, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY,
-    QUATERNION, REFERENCE, STEP_SIZE, TENSOR_PRODUCT, UPHILL,
+    COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, DYNAMICALLY_BALANCED,
+    FIRST_ORDER_CHANGE, IMAGINARY_UNIT, JACOBIAN, MOMENT, MOMENT_OF_INERTIA, NATURAL_BASE,
+    NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE,
+    STATICALLY_BALANCED, STEP_SIZE, TENSOR_PRODUCT, UNBALANCED, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -25,7 +26,7 @@ use crate::verify::reading::operators_read::reads_derivative;
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
-use crate::verify::reading::quaternions_read::layout;
+use crate::verify::reading::quaternions_read::{is_free_quaternion, layout};
 use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
@@ -38,7 +39,7 @@ use crate::verify::term::quantity::Quantity;
 const HALVES: [&str; 3] = ["half-disc", "half-cylinder", "half-ring"];
 
 /// Nouns that name no quantity: others hear of these things.
-const THINGS: [&str; 24] = [
+const THINGS: [&str; 27] = [
     PLANE_OF_SYMMETRY,
     "frame",
     "point",
@@ -58,6 +59,9 @@ const THINGS: [&str; 24] = [
     EULER_ANGLES,
     CONTACT_POINT,
     "symmetric",
+    DYNAMICALLY_BALANCED,
+    STATICALLY_BALANCED,
+    UNBALANCED,
     COORDINATES,
     "integral",
     "cross product",
@@ -190,9 +194,12 @@ impl Builder<'_> {
             _ if tells_gravity(what) => self.read_gravity(subjects, what, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
-            "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
+            "scalar" | "angle" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
+            QUATERNION if is_free_quaternion(what) => {
+                self.read_free_quaternions(subjects, what, declaration);
+            }
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
             "time" => {
@@ -201,7 +208,7 @@ impl Builder<'_> {
                 }
             }
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
-            | "damping" => {
+            | "damping" | NATURAL_LENGTH => {
                 self.read_size(subjects, declaration);
             }
             DOWNHILL | UPHILL if self.is_tilted() => {}
@@ -277,7 +284,10 @@ impl Builder<'_> {
             || self.names_touch(what)
             || self.agent_outside(what, None).is_some()
             || self.reversed(what).is_some();
-        if named && subjects.iter().any(|subject| may_be_size(subject, what)) {
+        // The moment of a spring is known by its law, as that of a weight.
+        let by_law = what.head == MOMENT && self.is_by_spring(what);
+        let open = named && !by_law;
+        if open && subjects.iter().any(|subject| may_be_size(subject, what)) {
             return self.say_unused(declaration);
         }
         let Some(quantity) = self.quantity(what, declaration) else {

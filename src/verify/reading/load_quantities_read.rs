@@ -17,6 +17,9 @@ use std::collections::BTreeSet;
 
 impl Builder<'_> {
     pub(super) fn force(&mut self, phrase: &NounPhrase) -> Option<Quantity> {
+        if self.is_by_spring(phrase) {
+            return self.force_of_spring(phrase);
+        }
         if let Some(reaction) = self.reaction(phrase) {
             return Some(reaction);
         }
@@ -45,6 +48,11 @@ impl Builder<'_> {
             Whole::Member(family, index) if phrase.is("external") => {
                 Some(Quantity::ExternalForce(family, index))
             }
+            Whole::Body(body) if phrase.is(NON_GRAVITATIONAL) => {
+                let weight = self.weight_of(body)?;
+                Some(without(Quantity::Force(Whole::Body(body)), weight))
+            }
+            _ if phrase.is(NON_GRAVITATIONAL) => None,
             of => Some(Quantity::Force(of)),
         }
     }
@@ -91,6 +99,9 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
+        if self.is_by_spring(phrase) {
+            return self.moment_of_spring(phrase);
+        }
         if let Some(drive) = self.drive(phrase) {
             return Some(drive);
         }
@@ -241,6 +252,9 @@ impl Builder<'_> {
         Some(Quantity::Scaled(gravity.boxed(), mass))
     }
 }
+
+/// Said of all forces but the weight.
+const NON_GRAVITATIONAL: &str = "non-gravitational";
 
 /// The moment of the force on a particle: of all of it, of what comes from outside, or of what does not.
 fn moment_on_member(phrase: &NounPhrase, of: Whole, about: PointId) -> Quantity {

@@ -250,7 +250,7 @@ impl Builder<'_> {
                 slots.push((Slot::Of, agent.clone()));
                 let own = NounPhrase::new(MOMENT, slots);
                 let loads = self.named_load(&own, Some(body))?;
-                rest = loads.iter().fold(rest, |rest, load| rest - &load.value);
+                rest -= self.system().moment_of_loads(&loads, about);
             }
         }
         self.hold(rest.dot(&along), declaration);
@@ -290,7 +290,7 @@ impl Builder<'_> {
                 return None;
             };
             let quantity = match load.head {
-                _ if names_load(load) => self.named_force(load),
+                _ if names_load(load) || self.names_touch(load) => self.named_force(load),
                 FORCE => self.force(load),
                 MOMENT => self.moment(&with_slots_of_moment(load), declaration),
                 _ => None,

@@ -54,6 +54,9 @@ fn is_denial_of_density(what: &NounPhrase) -> bool {
 impl Builder<'_> {
     /// Whether a sentence says of a body, or of its mass or density, what no shape of uniform density has.
     pub(super) fn is_made_otherwise(&self, body: BodyId) -> bool {
+        if self.is_unbalanced(body) {
+            return true;
+        }
         let own = |term: &Term| self.body(term) == Some(body);
         let of_mass = |term: &Term| match term {
             Term::Phrase(of) if [MASS, DENSITY].contains(&of.head) => of

@@ -38,6 +38,13 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         on: Option<BodyId>,
     ) -> Option<Vec<Load>> {
+        match self.is_by_spring(phrase) {
+            true => self.loads_of_spring(phrase, on),
+            false => self.load_by_noun(phrase, on),
+        }
+    }
+
+    fn load_by_noun(&mut self, phrase: &NounPhrase, on: Option<BodyId>) -> Option<Vec<Load>> {
         let of_kind = |own: &Self| on.and_then(|body| own.kind_between(phrase, body));
         let between = self.load_between(phrase, on);
         if let Some(load) = between.or_else(|| of_kind(self)) {
@@ -257,6 +264,9 @@ impl Builder<'_> {
         letter: &Formula,
         declaration: &Declaration,
     ) -> Option<Vec<Load>> {
+        if let Some(load) = self.spring_by_letter(letter) {
+            return Some(vec![load]);
+        }
         let quantity = self.quantity_of(letter, declaration)?;
         let value = self.system().value_of(&quantity).ok()?;
         if let Ok(size) = value.to_scalar() {

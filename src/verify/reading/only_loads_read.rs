@@ -55,7 +55,8 @@ impl Builder<'_> {
                 // "the forces": all that have been told.
                 Term::Phrase(all) if is_all(all) => {
                     let told = self.told_forces(body, listed.lasting);
-                    listed.loads.extend(told)
+                    listed.loads.extend(told);
+                    listed.loads.extend(self.forces_of_springs(body)?);
                 }
                 // A force along an axis is not told by its letter alone.
                 Term::Phrase(load) if load.slot(Slot::Along).is_some() => {

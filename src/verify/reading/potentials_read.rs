@@ -11,6 +11,7 @@ use crate::verify::model::atoms::{Nature, whole};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
+use crate::verify::reading::springs_read::{is_of_spring, speaks_of_spring};
 use crate::verify::reading::working_loads_read::{MOTOR, is_joint};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
@@ -20,12 +21,8 @@ use std::collections::HashMap;
 /// Forces that may do work.
 const FORCES_AT_WORK: [&str; 2] = [FORCE, "load"];
 
-/// What gives back the work that is done on it.
-const SPRING: &str = "spring";
-/// How hard it is to stretch.
-const STIFFNESS: &str = "stiffness";
-/// What an elastic thing has.
-const ELASTIC: [&str; 2] = [STIFFNESS, "damping"];
+/// What has a stiffness or a damping and is no spring between two points.
+const ELASTIC: [&str; 2] = ["stiffness", "damping"];
 
 /// Whether a sentence says for which values of letters a potential energy is zero: "`$V$` is zero at `$\\theta = 0$`".
 pub(super) fn tells_zero_of_potential(declaration: &Declaration, all: &[Declaration]) -> bool {
@@ -46,21 +43,6 @@ fn is_potential(letter: &Term, all: &[Declaration]) -> bool {
     })
 }
 
-/// Whether a sentence speaks of what has a potential energy of its own, whichever force it exerts.
-fn speaks_of_spring(declaration: &Declaration) -> bool {
-    let elastic = |term: &Term| match term {
-        Term::Name(name) => name.split(' ').next() == Some(SPRING),
-        Term::Phrase(phrase) => phrase.head == SPRING || phrase.head == STIFFNESS,
-        _ => false,
-    };
-    let head = match &declaration.statement {
-        Statement::Is { what, .. } => what.head == STIFFNESS,
-        _ => false,
-    };
-    head || declaration.statement.terms().into_iter().any(elastic)
-        || declaration.may_speak_of(&[SPRING])
-}
-
 impl<'a> Builder<'a> {
     /// T + V or T − V; where weights act, not without their potential energy.
     pub(super) fn with_potential(
@@ -75,6 +57,7 @@ impl<'a> Builder<'a> {
             true => self.parts_at_known_heights(body),
             false => vec![body],
         };
+        let springs = self.energies_of_springs(body)?;
         let potential = self.potential_of(body, &parts);
         let unknown = potential.is_none() && self.gravity.is_some();
         let works = |d: &Declaration| self.may_do_work(d);
@@ -85,7 +68,11 @@ impl<'a> Builder<'a> {
             return None;
         }
         let signed = |v: Quantity| Quantity::Scaled(v.boxed(), whole(sign));
-        let terms = std::iter::once(kinetic).chain(potential.map(signed));
+        let springs = springs
+            .into_iter()
+            .map(|energy| Quantity::Known(Value::scalar(energy)));
+        let energies = potential.into_iter().chain(springs).map(signed);
+        let terms = std::iter::once(kinetic).chain(energies);
         Some(Quantity::Sum(terms.collect()))
     }
 
@@ -127,7 +114,9 @@ impl<'a> Builder<'a> {
                 || load.slot(Slot::Of).is_some_and(is_joint)
                 || matches!(load.head, CONTACT_FORCE | NORMAL_FORCE | FRICTION)
         };
+        // What springs do is in their potential energies.
         let works = |load: &NounPhrase| match weighs(load) {
+            _ if is_of_spring(load) => false,
             true => weightless,
             // Where a sentence lists all loads their sum is no other one.
             false if load.is("total") && self.lists_loads() => false,
@@ -136,7 +125,7 @@ impl<'a> Builder<'a> {
         match &declaration.statement {
             Statement::Is { subjects, what } => {
                 let letters = subjects.iter().any(|s| matches!(s, Term::Formula(_)));
-                letters && works(what) || ELASTIC.contains(&what.head)
+                letters && works(what) || ELASTIC.contains(&what.head) && !is_of_spring(what)
             }
             Statement::Premise(premise) if premise.is("only") => {
                 premise.all(Slot::With).any(|load| match load {
@@ -165,15 +154,18 @@ impl<'a> Builder<'a> {
 
     /// −m g · r, from the origin or from where it is said to be zero.
     pub(super) fn potential_energy(&mut self, body: usize) -> Option<Quantity> {
-        self.potential_of(body, &[body])
+        // Whether the energy of a spring is one of the body as well is open.
+        match self.declarations.iter().any(speaks_of_spring) {
+            true => None,
+            false => self.potential_of(body, &[body]),
+        }
     }
 
     /// The same of parts of a body, which are all that changes it.
     fn potential_of(&mut self, body: usize, parts: &[usize]) -> Option<Quantity> {
         let gravity = self.gravity.clone()?;
         let mut declarations = self.declarations.iter();
-        let more = |d: &Declaration| d.may_speak_of(&OF_POTENTIALS) || speaks_of_spring(d);
-        if declarations.any(more) {
+        if declarations.any(|d| d.may_speak_of(&OF_POTENTIALS)) {
             return None;
         }
         let zeros = self.zeros_of_potential(body);

@@ -11,6 +11,7 @@ use crate::verify::language::statement::{
 use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{BodyId, FrameId, PointId};
 use crate::verify::reading::LineRole;
+use crate::verify::reading::balance_read::is_balance;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{MASS_CENTRE, POTENTIAL, node_of, reach_of};
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
@@ -68,6 +69,9 @@ impl Builder<'_> {
                 } => self.read_direction(subjects, verb, slots, declaration),
                 Statement::Is { subjects, what } if what.head == "symmetric" => {
                     self.read_symmetry(subjects, what, declaration);
+                }
+                Statement::Is { subjects, what } if is_balance(what.head) => {
+                    self.read_balance(subjects, what, declaration);
                 }
                 Statement::Is { subjects, what } if what.head == PLANE_OF_SYMMETRY => {
                     let read = self.read_plane_of_symmetry(subjects, what, declaration);

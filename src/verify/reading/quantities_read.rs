@@ -20,6 +20,7 @@ use crate::verify::reading::names::{
     UNIT_VECTOR, name_of, opposite, told,
 };
 use crate::verify::reading::no_loads_read::leaves_out;
+use crate::verify::reading::springs_read::is_spring;
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
 
@@ -253,6 +254,11 @@ impl Builder<'_> {
         if let Some(body) = as_particle(phrase) {
             let moving = NounPhrase::new(ENERGY_OF_TRANSLATION, vec![(Slot::Of, body.clone())]);
             return self.energy(&moving, relative);
+        }
+        if let (POTENTIAL, Some(of)) = (phrase.head, phrase.slot(Slot::Of))
+            && is_spring(of)
+        {
+            return self.energy_of_spring(of);
         }
         let (of, body) = (self.whole_of(phrase)?, self.body_of(phrase));
         let rotation = self.is_of_rotation(phrase, relative, body)?;

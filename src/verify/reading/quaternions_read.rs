@@ -1,9 +1,11 @@
 //! Sentences about quaternions.
 
+use crate::algebra::Place;
 use crate::verify::language::heads::{CONJUGATE, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::is_written_as;
@@ -22,7 +24,44 @@ pub(super) fn layout(slots: &[(Slot, Term)]) -> Option<Layout> {
     })
 }
 
+/// "`$a$` and `$b$` are any quaternions, scalar first": nothing ties them to how something turns.
+pub(super) fn is_free_quaternion(what: &NounPhrase) -> bool {
+    what.slots
+        .iter()
+        .all(|said| layout(std::slice::from_ref(said)).is_some())
+}
+
 impl Builder<'_> {
+    /// Letters of quaternions that may be any, of four numbers each.
+    pub(super) fn read_free_quaternions(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        let layout = layout(&what.slots).unwrap_or(self.reading.letters.customs.layout);
+        self.reading.letters.customs.layout = layout;
+        for formula in formulas(subjects) {
+            if self.quantity_of(formula, declaration).is_some()
+                || self.is_told(formula, declaration)
+            {
+                continue;
+            }
+            let text = &formula.source;
+            let entry = |place: usize| {
+                let key = Key::of_number(&format!("({text})_{place}"));
+                fraction(
+                    self.system()
+                        .atoms
+                        .variable(key, Place::Coordinate, Motion::Free),
+                )
+            };
+            let entries = (0..4).map(entry).collect();
+            let free = Quantity::Known(Value::written(4, 1, entries));
+            self.denote(formula, Meaning::Quantity(free), declaration);
+        }
+    }
+
     /// Frames of whose quaternion a sentence speaks, which has to be known before any rotation is worked out.
     pub(super) fn turn_by_quaternions(&mut self) {
         for declaration in self.declarations {

@@ -163,6 +163,13 @@ impl Builder<'_> {
             return Some(());
         }
         let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
+        if let Quantity::Known(value) = &of
+            && value.is_quaternion()
+            && what.slot(Slot::Which).is_none()
+        {
+            self.read_entries_of_quaternion(subjects, value, declaration);
+            return Some(());
+        }
         let in_order = what.slot(Slot::Which).is_none();
         for (place, formula) in formulas(subjects).enumerate() {
             if self.read_all_entries(formula, &of, on, !in_order, declaration) {

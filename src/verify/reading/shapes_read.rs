@@ -18,7 +18,7 @@ const PLAIN: [&str; 8] = [
     "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
 ];
 /// The nouns of shapes with sizes.
-pub(super) const SHAPES: [&str; 13] = [
+pub(super) const SHAPES: [&str; 14] = [
     "disc",
     "rod",
     "ring",
@@ -27,6 +27,7 @@ pub(super) const SHAPES: [&str; 13] = [
     "sphere",
     "shell",
     "cone",
+    PYRAMID,
     "box",
     "cube",
     "plate",
@@ -37,6 +38,8 @@ pub(super) const SHAPES: [&str; 13] = [
 pub(super) const ROD: &str = "rod";
 /// A shape that has an apex.
 pub(super) const CONE: &str = "cone";
+/// A shape with a base that is not round.
+const PYRAMID: &str = "pyramid";
 /// A shape with three semi-axes.
 const ELLIPSOID: &str = "ellipsoid";
 /// A body without extent.
@@ -152,6 +155,9 @@ impl<'a> Builder<'a> {
         if what.head == ELLIPSOID {
             return self.ellipsoid_body(body, what, declaration);
         }
+        if what.head == PYRAMID {
+            return self.pyramid_body(body, what, declaration);
+        }
         self.lay_by_points(body)?;
         let shape = mechanics::Shape::by_name(what.head)?;
         let lies_along = what.slot(Slot::Along).is_some();
@@ -217,6 +223,10 @@ impl<'a> Builder<'a> {
             return Some((content, dimension));
         }
         let shape = mechanics::Shape::by_name(what.head)?;
+        if what.head == PYRAMID {
+            let content = self.content_of_pyramid(body, what, declaration)?;
+            return Some((content, shape.dimension()));
+        }
         if !is_plain_shape(what, shape.sizes()) {
             return None;
         }
@@ -352,7 +362,7 @@ fn is_round(tensor: &Matrix) -> bool {
 const SIDED: [&str; 2] = ["box", "plate"];
 
 /// Whether all that is said of a shape is known to it: a hollow one is another, and so is one with a size more.
-fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
+pub(super) fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
     let known = |size: &str| size == MASS || sizes.iter().any(|wanted| is_size(size, wanted.name));
     what.adjectives.iter().all(|said| PLAIN.contains(said))
         && what.slots.iter().all(|(slot, term)| match (slot, term) {

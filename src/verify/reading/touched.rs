@@ -11,10 +11,29 @@ use std::collections::BTreeSet;
 /// Verbs of how something lies.
 const LYING: [&str; 4] = ["hang", "point", "lie", "incline"];
 
+/// Commands that only set how a formula looks.
+const LOOKS: [&str; 12] = [
+    "\\left",
+    "\\right",
+    "\\mathbf",
+    "\\mathrm",
+    "\\boldsymbol",
+    "\\text",
+    "\\vec",
+    "\\hat",
+    "\\big",
+    "\\Big",
+    "\\quad",
+    "\\",
+];
+
 /// What a sentence that was not read may change. What a rule for a sign changes in the formulas of other sentences reaches
 /// all lines.
 pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touches {
     let Statement::Unread { touched, .. } = statement else {
+        if let Statement::Notation { sign, .. } = statement {
+            return Touches::Signs(vec![sign.clone()]);
+        }
         let formulas = statement.formulas().into_iter();
         if matches!(statement, Statement::Is { .. }) {
             let subjects = statement.subjects().iter().filter_map(letter_of);
@@ -29,16 +48,19 @@ pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touch
     match touched {
         Touched::Letters { formulas, anew } => {
             let each: Option<Vec<BTreeSet<String>>> = formulas.iter().map(letters_in).collect();
-            each.map_or(Touches::Everything, |each| {
-                // A letter alone has no parts that could tell what it is.
-                let wholes = formulas.iter().filter_map(node_of);
-                let wholes = wholes.filter(|node| !is_bare(node));
-                Touches::Letters {
-                    names: each.into_iter().flatten().collect(),
-                    wholes: wholes.map(spelled).collect(),
-                    anew: *anew,
-                }
-            })
+            each.map_or_else(
+                || by_words(formulas),
+                |each| {
+                    // A letter alone has no parts that could tell what it is.
+                    let wholes = formulas.iter().filter_map(node_of);
+                    let wholes = wholes.filter(|node| !is_bare(node));
+                    Touches::Letters {
+                        names: each.into_iter().flatten().collect(),
+                        wholes: wholes.map(spelled).collect(),
+                        anew: *anew,
+                    }
+                },
+            )
         }
         Touched::Written(formulas) => {
             Touches::Written(formulas.iter().flat_map(nodes_of).map(spelled).collect())
@@ -57,6 +79,34 @@ pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touch
         Touched::Words(words) => Touches::Words(words.clone()),
         Touched::Everything => Touches::Everything,
     }
+}
+
+/// Formulas of which one is not read may change what carries a word of them.
+fn by_words(formulas: &[Formula]) -> Touches {
+    let words = formulas
+        .iter()
+        .flat_map(|formula| words_of(&formula.source));
+    let words: Vec<String> = words.collect();
+    match words.is_empty() {
+        true => Touches::Everything,
+        false => Touches::Words(words),
+    }
+}
+
+/// The letters, words and commands of a formula, without those that only set how it looks.
+fn words_of(source: &str) -> Vec<String> {
+    let mut words = vec![];
+    let mut rest = source;
+    while let Some(start) = rest.find(|c: char| c.is_alphabetic() || c == '\\') {
+        let behind = &rest[start..];
+        let own = behind.chars().skip(1).take_while(|c| c.is_alphabetic());
+        let first = behind.chars().next().map_or(0, char::len_utf8);
+        let end = first + own.map(char::len_utf8).sum::<usize>();
+        words.push(behind[..end].to_owned());
+        rest = &behind[end..];
+    }
+    words.retain(|word| !LOOKS.contains(&word.as_str()));
+    words
 }
 
 /// Whether a formula is a letter without labels and marks.

@@ -3,7 +3,7 @@
 use crate::notation::ast::{DerivativeStyle, Function, Kind, Node, Symbol};
 use crate::notation::document::Row;
 use crate::notation::print;
-use crate::verify::language::heads::{BOLD_LETTER, FRAME_AT_UPPER};
+use crate::verify::language::heads::{BOLD_LETTER, DECIMAL_NUMBERS, FRAME_AT_UPPER};
 use crate::verify::language::statement::{Formula, Sign, Slot, Statement, Term};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::Reading;
@@ -97,6 +97,15 @@ impl Unused {
         }
     }
 
+    /// Whether it is a rule for signs and words that formulas carry, and tells nothing of how things are.
+    fn is_rule(&self) -> bool {
+        let of_notation = |sign: &Sign| !matches!(sign, Sign::Operator(_));
+        match &self.touches {
+            Touches::Signs(signs) => signs.iter().all(of_notation),
+            _ => false,
+        }
+    }
+
     /// Whether lines may mean something else by it.
     fn blocks(&self) -> bool {
         !self.understood || self.tells
@@ -119,9 +128,18 @@ impl Reading {
         all.filter(move |unused| unused.reach.covers(at, 0))
     }
 
-    /// A sentence of which nothing was made, and which may tell something of these letters at a place.
-    pub(crate) fn unused_of(&self, letters: &BTreeSet<String>, at: &At) -> Option<&str> {
-        let tells = |unused: &&Unused| !unused.understood || unused.may_tell_of(letters);
+    /// A sentence of which nothing was made, and which may tell something of the letters of formulas at a place. One that was
+    /// not understood may tell of anything, but for a rule of notation, which changes what carries its sign.
+    pub(crate) fn unused_of(
+        &self,
+        letters: &BTreeSet<String>,
+        written: Written<'_>,
+        at: &At,
+    ) -> Option<&str> {
+        let tells = |unused: &&Unused| match unused.is_rule() {
+            true => unused.may_change(written, &self.letters),
+            false => !unused.understood || unused.may_tell_of(letters),
+        };
         let found = self.unused_at(at).find(tells);
         found.map(|unused| unused.sentence.as_str())
     }
@@ -307,7 +325,8 @@ fn carries_custom(node: &Node, custom: &str) -> bool {
         Kind::Power(..) if at_upper => true,
         _ if at_upper => frame_label(node).is_some(),
         Kind::Symbol(symbol) if custom == BOLD_LETTER => symbol.style.vector,
-        _ if custom == BOLD_LETTER => false,
+        Kind::Number(number) if custom == DECIMAL_NUMBERS => number.decimals.is_some(),
+        _ if [BOLD_LETTER, DECIMAL_NUMBERS].contains(&custom) => false,
         Kind::Group(..) | Kind::Tuple(_) | Kind::Matrix(_) | Kind::Call(..) => true,
         Kind::InFrame(..) | Kind::Skew(_) | Kind::Norm(_) => true,
         _ => !custom.contains("brackets") && custom != "braces",

@@ -18,10 +18,10 @@ impl Judge<'_> {
             return false;
         }
         let letters = letters_in(&line.sides);
+        let sides: Vec<&Node> = line.sides.iter().collect();
         let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
         let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
-            || has(Standing::Free) && self.reading.unused_of(&letters, &self.at).is_some();
-        let sides: Vec<&Node> = line.sides.iter().collect();
+            || has(Standing::Free) && self.unused_of(sides.iter().copied()).is_some();
         let unknown: Vec<String> = held.iter().flat_map(|h| h.unknown.clone()).collect();
         let settled = held.iter().filter(|h| h.standing == Standing::Settles);
         let mut settled = settled.filter_map(|h| h.settles.as_ref());
@@ -49,7 +49,12 @@ impl Judge<'_> {
     pub(super) fn unused_of<'n>(&self, nodes: impl IntoIterator<Item = &'n Node>) -> Option<&str> {
         match self.reading.unused.is_empty() {
             true => None,
-            false => self.reading.unused_of(&letters_in(nodes), &self.at),
+            false => {
+                let nodes: Vec<&Node> = nodes.into_iter().collect();
+                let letters = letters_in(nodes.iter().copied());
+                let written = self.written(&nodes, &[]);
+                self.reading.unused_of(&letters, written, &self.at)
+            }
         }
     }
 
@@ -57,15 +62,18 @@ impl Judge<'_> {
     pub(super) fn unread_of(&self, nodes: &[&Node], unknown: &[String]) -> Option<&str> {
         match self.reading.unused.is_empty() {
             true => None,
-            false => {
-                let text = &self.document.source.text;
-                let written = Written {
-                    nodes,
-                    unknown,
-                    text,
-                };
-                self.reading.unread_of(written, &self.at)
-            }
+            false => self
+                .reading
+                .unread_of(self.written(nodes, unknown), &self.at),
+        }
+    }
+
+    fn written<'n>(&'n self, nodes: &'n [&'n Node], unknown: &'n [String]) -> Written<'n> {
+        let text = &self.document.source.text;
+        Written {
+            nodes,
+            unknown,
+            text,
         }
     }
 

@@ -163,3 +163,21 @@ $M$ is the moment of the thrust on the aircraft about G.
         assert_eq!(judged(&sentences, text), "pr", "{said}");
     }
 }
+
+#[test]
+fn a_normal_force_that_points_along_an_axis_has_no_other_component() {
+    let said = r"N is an inertial frame.
+x, y, z are the axes of N.
+O is a point fixed in N.
+A is a particle of mass $m$.
+A is placed from O by $p\,x$.
+The force $R x$ and the normal force are the only loads on A.
+The normal force on A is along y.
+";
+    let text = r"
+$$ m\ddot p = R $$
+
+$$ m\ddot p = -R $$
+";
+    assert_eq!(judged(said, text), "pr");
+}

@@ -227,6 +227,59 @@ The axes of E are principal axes of the stone.",
 }
 
 #[test]
+fn a_pyramid_has_the_sides_of_its_base_along_two_axes_and_its_height_along_the_third() {
+    let body = "N is an inertial frame.
+E is a frame fixed in the block.
+x, y, z are the axes of E.
+G is the mass centre of the block.
+$I_1$, $I_2$, $I_3$ are the moments of inertia of the block about the axes of E through G.
+$\\rho$ is the density of the block.
+";
+    let text = r"
+$$ I_1 = m\left(\frac{b^2}{20} + \frac{3h^2}{80}\right) $$
+
+$$ I_1 = m\left(\frac{a^2}{20} + \frac{3h^2}{80}\right) $$
+
+$$ I_3 = \frac{m}{20}(a^2 + b^2) $$
+
+$$ m = \frac13\rho a b h $$
+
+$$ m = \rho a b h $$
+";
+    let told = [
+        (
+            "The block is a uniform solid right pyramid of mass $m$ and height $h$ with the base edges $a$ and $b$ along x and y.",
+            "prppr",
+        ),
+        (
+            "The block is a uniform pyramid of mass $m$ and height $h$.
+The sides $a$ and $b$ of the base of the block lie along y and x.",
+            "rpppr",
+        ),
+        // Which of its axes has the height no sentence tells.
+        (
+            "The block is a uniform pyramid of mass $m$ and height $h$.
+$a$ is the side of the block along x.",
+            "uuuuu",
+        ),
+    ];
+    for (sentences, expected) in told {
+        let said = format!("{body}{sentences}\n");
+        assert_eq!(verdicts(&said, text).0, expected, "{sentences}");
+    }
+    // The centre of its base, or of what else it has, is not its mass centre.
+    let said = "N is an inertial frame.
+E is a frame fixed in the block.
+x, y, z are the axes of E.
+O is the centre of the block.
+G is the mass centre of the block.
+$r$ is the position of G from O.
+The block is a uniform pyramid of mass $m$ and height $h$ with the base edges $a$ and $b$ along x and y.
+";
+    assert_ne!(verdicts(said, "$$ r = 0 $$\n").0, "p");
+}
+
+#[test]
 fn sides_lie_along_axes_from_a_corner() {
     let said = "N is an inertial frame.
 B is a frame fixed in the plate.

@@ -114,6 +114,9 @@ fn solids<T: Field>(pi: &T) {
         along_z(n(5, 3)),
         about_z(n(9 + 25, 6), n(9, 3)),
     );
+    // m (b² + 2 h²) / 20, m (a² + 2 h²) / 20, m (a² + b²) / 20.
+    let pyramid = Vector3::new(n(25 + 98, 20), n(9 + 98, 20), n(9 + 25, 20));
+    check("pyramid", 3, along_z(n(7, 4)), pyramid);
     let squares = |q| Vector3::new(n(25 + 49, q), n(9 + 49, q), n(9 + 25, q));
     check("box", 3, along_z(n(0, 1)), squares(12));
     check("ellipsoid", 3, along_z(n(0, 1)), squares(5));
@@ -168,7 +171,7 @@ fn corners_give_the_points_of_routh_and_the_products_of_the_tables() {
 fn contents_are_those_of_geometry() {
     let pi = Prime::new(271_828_182);
     let n = Prime::int;
-    let cases: [(&str, &[i32], Prime); 14] = [
+    let cases: [(&str, &[i32], Prime); 15] = [
         ("rod", &[3], n(3)),
         ("ring", &[3], n(6) * pi),
         ("quarter ring", &[4], n(2) * pi),
@@ -181,6 +184,7 @@ fn contents_are_those_of_geometry() {
         ("thick shell", &[3, 6], n(252) * pi),
         ("half ellipsoid", &[1, 2, 3], n(4) * pi),
         ("cone", &[3, 5], n(15) * pi),
+        ("pyramid", &[3, 4, 5], n(20)),
         ("paraboloid", &[2, 5], n(10) * pi),
         ("tube", &[3, 5, 2], n(32) * pi),
     ];
