@@ -11,6 +11,7 @@ mod chains;
 mod changes;
 mod counted;
 mod defaults_give_way;
+mod family_loads;
 mod frames_that_move;
 mod free_wording;
 mod hung_rods;

@@ -205,20 +205,21 @@ impl Builder<'_> {
         about: PointId,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let force = self.quantity_of(letter, declaration)?;
-        if matches!(force, Quantity::InertialForce { .. }) {
-            return about_point(force, about);
+        // A formula that is no letter tells no quantity, but may be a force that acts somewhere.
+        let force = self.quantity_of(letter, declaration);
+        if matches!(force, Some(Quantity::InertialForce { .. })) {
+            return about_point(force?, about);
         }
         let (force, at) = match force {
-            Quantity::ExternalForce(family, ref index) => {
+            Some(Quantity::ExternalForce(family, ref index)) => {
                 let at = Spot::Member(family, index.clone());
-                (force, at)
+                (force?, at)
             }
             // All that acts on a particle acts where that is.
-            Quantity::Force(Whole::Body(body))
+            Some(Quantity::Force(Whole::Body(body)))
                 if self.reading.system.bodies[body].frame.is_none() =>
             {
-                (force, Spot::Point(self.centre_of(body)))
+                (force?, Spot::Point(self.centre_of(body)))
             }
             _ => {
                 let (at, vector) = self.acting_there(letter)?;
