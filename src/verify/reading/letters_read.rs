@@ -31,12 +31,10 @@ use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::rotations_read::turns_by_argument;
+use crate::verify::reading::shapes_read::{is_known_by_name, is_shape};
 use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
-
-/// Shapes that are halves of others, of which no tensor is known.
-const HALVES: [&str; 3] = ["half-disc", "half-cylinder", "half-ring"];
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 27] = [
@@ -184,7 +182,7 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);
-        if thing || self.is_shape(what.head) || is_force_at(what) || is_reaction(what) {
+        if thing || is_shape(what.head) || is_force_at(what) || is_reaction(what) {
             return;
         }
         match what.head {
@@ -267,7 +265,7 @@ impl Builder<'_> {
             |term: &Term| matches!(term, Term::Formula(_)) || matches!(term, Term::Phrase(_));
         if !subjects.iter().any(named) {
             // A shape of which no more than the name is known.
-            if HALVES.contains(&what.head) && !what.slots.is_empty() {
+            if is_known_by_name(what.head) && !what.slots.is_empty() {
                 self.say_unused(declaration);
             }
             return;

@@ -4,7 +4,7 @@ use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
-use crate::verify::reading::shapes_read::SHAPES;
+use crate::verify::reading::shapes_read::is_shape;
 use crate::verify::term::letters::spelled;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -111,8 +111,7 @@ impl Builder<'_> {
             return None;
         };
         let body = subjects.first().and_then(|term| self.body(term))?;
-        let shaped =
-            SHAPES.contains(&what.head) && self.reading.system.bodies[body].inertia.is_none();
+        let shaped = is_shape(what.head) && self.reading.system.bodies[body].inertia.is_none();
         shaped.then(|| Wants::Direction(what.head.to_owned()))
     }
 }
