@@ -24,7 +24,7 @@ const OF_THINGS: [Slot; 10] = [
 
 impl Builder<'_> {
     /// Says of each sentence of which nothing was made what would help, where that is known.
-    pub(super) fn say_what_unused_want(&mut self, contradictions: &BTreeMap<String, String>) {
+    pub(super) fn say_what_unused_want(&mut self, known: &BTreeMap<String, Wants>) {
         let unused = self.reading.unused.iter();
         let unused: BTreeSet<String> = unused.map(|unused| unused.sentence.clone()).collect();
         if unused.is_empty() {
@@ -44,9 +44,8 @@ impl Builder<'_> {
         });
         let wanted: BTreeMap<&str, Wants> = wanted.collect();
         for unused in &mut self.reading.unused {
-            let otherwise = contradictions.get(&unused.sentence).cloned();
-            let otherwise = otherwise.map(Wants::OneOfTwo);
-            unused.wants = otherwise.or_else(|| wanted.get(unused.sentence.as_str()).cloned());
+            let known = known.get(&unused.sentence).cloned();
+            unused.wants = known.or_else(|| wanted.get(unused.sentence.as_str()).cloned());
         }
     }
 
