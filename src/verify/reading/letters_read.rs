@@ -169,12 +169,8 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        // What the products of inertia are is a rule of notation.
         if subjects.len() == 1 && subjects.iter().all(are_products) {
-            if !matches!(what.head, "integral" | "entry" | "zero") {
-                self.say_unused(declaration);
-            }
-            return;
+            return self.read_rule_of_products(what, declaration);
         }
         // Without labels no custom says which product is which.
         let unlabelled = |f: &Formula| labelled_entry(f).is_none();
@@ -223,6 +219,13 @@ impl Builder<'_> {
                 Some(None) => self.say_unused(declaration),
                 None => self.read_quantity(subjects, what, declaration),
             },
+        }
+    }
+
+    /// What the products of inertia are is a rule of notation.
+    fn read_rule_of_products(&mut self, what: &NounPhrase, declaration: &Declaration) {
+        if !matches!(what.head, "integral" | "entry" | "zero") {
+            self.say_unused(declaration);
         }
     }
 

@@ -23,8 +23,6 @@ const PARTICLE: &str = "particle";
 
 /// The size of what is round.
 pub(super) const RADIUS: &str = "radius";
-/// The size of what has a hole.
-const OUTER_RADIUS: &str = "outer radius";
 
 impl<'a> Builder<'a> {
     /// A rigid body has a frame, which no sentence need name: it turns freely.
@@ -387,8 +385,9 @@ pub(super) fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bo
 
 /// The surface on which a shape rolls, if it is round.
 fn roundness(shape: mechanics::Shape, sizes: &[Fraction], axis: usize) -> Option<Round> {
-    let outer = |size: &mechanics::Size| [RADIUS, OUTER_RADIUS].contains(&size.name);
-    let radius = sizes.get(shape.sizes().iter().position(outer)?)?.clone();
+    // Of two radii the last one is the outer one.
+    let is_radius = |size: &mechanics::Size| size.name.ends_with(RADIUS);
+    let radius = sizes.get(shape.sizes().iter().rposition(is_radius)?)?.clone();
     match shape.name() {
         name if has(name, Trait::Ball) => Some(Round::Sphere { radius }),
         name if has(name, Trait::Rim) => Some(Round::Rim { radius, axis }),
