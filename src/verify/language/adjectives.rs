@@ -77,7 +77,7 @@ const OF_THINGS: [&str; 46] = [
 ];
 
 /// What is understood of some quantities alone.
-const OF_QUANTITIES: [(&str, &[&str]); 33] = [
+const OF_QUANTITIES: [(&str, &[&str]); 34] = [
     (
         "initial",
         &[
@@ -115,6 +115,7 @@ const OF_QUANTITIES: [(&str, &[&str]); 33] = [
         "external",
         &[heads::FORCE, heads::MOMENT, "load", "impulse"],
     ),
+    ("non-gravitational", &[heads::FORCE]),
     ("no", &[heads::FORCE, heads::MOMENT, heads::MASS, "load"]),
     ("only", &[heads::FORCE, heads::MOMENT, "load", "impulse"]),
     ("working", &[heads::FORCE, heads::MOMENT, "load"]),

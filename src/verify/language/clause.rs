@@ -284,7 +284,10 @@ impl<'a> Reader<'a> {
     fn said_of(&mut self, subjects: &[Term]) -> Read<Vec<Statement>> {
         let formulas: Option<Vec<Formula>> = subjects.iter().map(as_formula).collect();
         if let Some(formulas) = &formulas {
-            if self.take_any(&["means", "mean"]) || self.take("stands for") {
+            if self.take_any(&["means", "mean"])
+                || self.take("stands for")
+                || self.take("stand for")
+            {
                 return match self.at_formula() || self.done() {
                     true => self.means(formulas),
                     false => self.predicate(subjects, Some(formulas.clone())),

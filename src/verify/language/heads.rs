@@ -192,6 +192,9 @@ heads! {
     OTHER_PRODUCTS = "other products of inertia";
     /// Half of what an ellipsoid measures along a principal axis.
     SEMI_AXIS = "semi-axis";
+    DECIMAL_NUMBERS = "decimal numbers";
+    VERTICALLY_ABOVE = "vertically above";
+    DOT_PRODUCT = "dot product";
 }
 
 /// What happens at once.

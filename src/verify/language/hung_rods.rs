@@ -2,7 +2,7 @@
 //! turns by θ. It always lies along that axis of what turns.
 
 use super::at_zero::turns_by;
-use super::heads::{MASS_CENTRE, UNIT_VECTOR, VERTICAL};
+use super::heads::{MASS_CENTRE, UNIT_VECTOR, VERTICAL, VERTICALLY_ABOVE};
 use super::planar_axes::axis;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
@@ -114,7 +114,7 @@ fn hung_by_verb(
         ("lie", None, Some(Term::Phrase(place))) => {
             let towards = match place.head {
                 "below" => vertical("downward"),
-                "vertically above" => vertical("upward"),
+                VERTICALLY_ABOVE => vertical("upward"),
                 _ => return None,
             };
             let end = place.slot(Slot::Of)?;

@@ -1,9 +1,9 @@
 //! Names that no sentence introduces, by what is said of them: what turns or has Euler angles is a frame, and what has a
 //! velocity is a point.
 
-use super::heads::{ACCELERATION, POSITION, UNIT_VECTOR, VELOCITY};
+use super::heads::{ACCELERATION, MASS, POSITION, UNIT_VECTOR, VELOCITY};
 use super::kinds::{frames_shown, name};
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
 use std::collections::BTreeSet;
 
 /// Adds "B is a frame" and "P is a point" for the names that sentences use so, where none says what they are.
@@ -11,7 +11,15 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
     let mut told: BTreeSet<String> = declarations.iter().flat_map(told_in).collect();
     let shown = frames_shown(declarations);
     let fixed: BTreeSet<String> = declarations.iter().filter_map(fixed_thing).collect();
+    let massive: BTreeSet<String> = declarations.iter().flat_map(massive_things).collect();
     let mut added = vec![];
+    let own = declarations
+        .iter()
+        .find(|d| d.extent == Extent::Document && speaks_of_particle(&d.statement));
+    if let Some(own) = own.filter(|_| told.insert(PARTICLE.to_owned())) {
+        let what = NounPhrase::new(PARTICLE, vec![]);
+        added.push(own.saying(Statement::one_is(Term::Name(PARTICLE.to_owned()), what)));
+    }
     for declaration in declarations.iter() {
         let mentioned = declaration.statement.terms().into_iter().filter_map(name);
         let frames = mentioned.filter(|name| shown.contains(name));
@@ -23,7 +31,11 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
         let from = from.filter(|name| fixed.contains(name));
         let points = moving_points(&declaration.statement).into_iter();
         let points = points.chain(from);
-        let kinds = kinds.chain(points.map(|name| (name, "point")));
+        let points = points.map(|name| match massive.contains(&name) {
+            true => (name, PARTICLE),
+            false => (name, "point"),
+        });
+        let kinds = kinds.chain(points);
         if let Some((point, what)) = point_of_axis(&declaration.statement)
             && name(point).is_some_and(|name| may_be_introduced(&name) && told.insert(name))
         {
@@ -79,6 +91,24 @@ fn told_in(declaration: &Declaration) -> Vec<String> {
         .chain(which)
         .filter_map(name)
         .collect()
+}
+
+/// The noun of a body without extent: "the particle" is one, if no sentence says otherwise.
+const PARTICLE: &str = "particle";
+
+fn speaks_of_particle(statement: &Statement) -> bool {
+    let mut terms = statement.terms().into_iter();
+    terms.any(|term| matches!(term, Term::Name(name) if name == PARTICLE))
+}
+
+/// The names of what has a mass: a point that has one is a particle.
+fn massive_things(declaration: &Declaration) -> Vec<String> {
+    match &declaration.statement {
+        Statement::Is { what, .. } if what.head == MASS => {
+            what.all(Slot::Of).filter_map(name).collect()
+        }
+        _ => vec![],
+    }
 }
 
 /// Letters of one sign, and those with a label, as frames and points have them.

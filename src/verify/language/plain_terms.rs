@@ -15,6 +15,7 @@ use super::counted::{lay_in_turn, number_counted, part_first};
 use super::disturbed::tell_disturbed;
 use super::element_places::place_elements;
 use super::entries::{tell_entries, tell_parts};
+use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
 use super::generalised_momenta::tell_generalised_momenta;
@@ -82,6 +83,7 @@ pub(crate) fn in_plain_terms(
 ) -> Vec<Declaration> {
     let mut declarations = name_things(declarations, macros, lexicon);
     tell_turns(&mut declarations, macros);
+    tell_loads_of_families(&mut declarations, macros);
     count_members(&mut declarations);
     place_points(&mut declarations);
     tell_loads(&mut declarations);

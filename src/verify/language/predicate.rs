@@ -361,7 +361,10 @@ impl<'a> Reader<'a> {
 
     pub(crate) fn means(&mut self, written: &[Formula]) -> Read<Vec<Statement>> {
         let start = self.at;
-        let meanings = self.formulas();
+        let meanings = match written.len() {
+            1 => self.formulas(),
+            _ => self.all_formulas().iter().filter_map(as_formula).collect(),
+        };
         if meanings.len() != written.len() {
             self.at = start;
             return Err(self.unexpected(

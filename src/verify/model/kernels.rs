@@ -26,6 +26,9 @@ fn of_multiple(times: i64, angle: &(Fraction, Fraction)) -> (Fraction, Fraction)
     (0..times).fold(none, |sum, _| of_sum(&sum, angle))
 }
 
+/// Of what is written of parts of an angle, halves, thirds and so on, so many are looked for.
+const MOST_PARTS: i64 = 4;
+
 impl Atoms {
     /// The cosine and the sine of an angle.
     ///
@@ -148,7 +151,27 @@ impl Atoms {
         if q > 1 {
             self.tell_by_parts(unit, q, &(fraction(c), fraction(s)));
         }
+        self.tell_by_known_part(unit, q, [c, s]);
         Some((fraction(c), fraction(s)))
+    }
+
+    /// A kernel of a part of the angle that is there already tells the new one.
+    fn tell_by_known_part(&mut self, unit: &Fraction, q: i64, [c, s]: [Variable; 2]) {
+        let part = (2..=MOST_PARTS).find_map(|parts| {
+            let text = self.angle_text(&(unit.clone() / whole(q * parts)));
+            let [cosine, sine] =
+                ["\\cos ", "\\sin "].map(|f| self.find(&Key::new(format!("{f}{text}"))));
+            Some((parts, (fraction(cosine?), fraction(sine?))))
+        });
+        let Some((parts, kernel)) = part else { return };
+        let (of_cosine, of_sine) = of_multiple(parts, &kernel);
+        for (letter, value) in [(c, of_cosine), (s, of_sine)] {
+            self.atom_mut(letter).law = Some(Law {
+                name: ADDITION_THEOREMS,
+                value,
+            });
+        }
+        self.atom_mut(s).square = None;
     }
 
     /// The sum of other angles that an angle is by definition, where it has no sine of its own yet.

@@ -2,6 +2,7 @@
 
 use crate::verify::language::centres::speaks_of_centre;
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
+use crate::verify::language::heads::VERTICALLY_ABOVE;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::verify::model::contact::{Contact, Plane};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
@@ -13,6 +14,8 @@ use crate::verify::term::quantity::Spot;
 
 /// Quantities that only what moves has.
 const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
+
+const HEIGHT: &str = "height";
 
 /// A plane that things touch from below.
 const CEILING: &str = "ceiling";
@@ -160,11 +163,14 @@ impl Builder<'_> {
         self.round_wheel(body, declaration);
         let below = self.system().way_to_contact(body, &plane.normal);
         let centre = self.centre_of(body);
-        let placed = match below {
-            Some(way) => (centre, way),
-            None => self.placed_from_contact(&name)?,
-        };
-        let point = self.system().add_point(&name, Some(placed), Vec::new());
+        let placed = below.map(|way| (centre, way));
+        let placed = placed.or_else(|| self.placed_from_contact(&name));
+        let placed = placed.or_else(|| self.height_above_contact(&name, &plane.normal));
+        if placed.is_none() {
+            // Of a body of any form nothing tells how its point of contact moves.
+            self.say_unused(declaration);
+        }
+        let point = self.system().add_point(&name, placed, Vec::new());
         self.points.insert(name, point);
         self.system().contacts.push(Contact {
             body,
@@ -194,6 +200,26 @@ impl Builder<'_> {
             _ => None,
         })?;
         Some((other, -self.way_said(slots, declaration, true)?))
+    }
+
+    /// The same by the height of another point above it: "G lies at the height `$R$` above C", "`$R$` is the height of G above C".
+    fn height_above_contact(&mut self, name: &str, normal: &Vector) -> Option<(PointId, Vector)> {
+        let declarations = self.declarations;
+        let (other, height, declaration) = declarations.iter().find_map(|d| {
+            let (other, height, above) = height_told(&d.statement)?;
+            let here = name_of(above).as_deref() == Some(name);
+            Some((self.point(other).filter(|_| here)?, height, d))
+        })?;
+        let height = self.scalar_term(height, declaration)?;
+        self.make_constant(&height);
+        Some((other, normal.clone() * -height))
+    }
+
+    /// Whether a sentence tells how high something is above where a body touches a plane.
+    pub(super) fn tells_height_above_contact(&self, statement: &Statement) -> bool {
+        let above = height_told(statement).and_then(|(.., above)| self.point(above));
+        let contacts = &self.reading.system.contacts;
+        above.is_some_and(|above| contacts.iter().any(|contact| contact.point == above))
     }
 
     /// The points that sentences place in a plane.
@@ -336,5 +362,31 @@ impl Builder<'_> {
         let point = self.point(at)?;
         let there = self.reading.system.body_point(body, point)?;
         Some(Spot::Carried(there))
+    }
+}
+
+/// What lies at a height above what.
+fn height_told(statement: &Statement) -> Option<(&Term, &Term, &Term)> {
+    match statement {
+        Statement::Is { subjects, what } if what.head == HEIGHT => {
+            let above = what.slot(Slot::With)?;
+            Some((what.slot(Slot::Of)?, subjects.first()?, above))
+        }
+        Statement::Does {
+            subjects,
+            verb: "lie",
+            slots,
+        } => {
+            let height = match slot(slots, Slot::At)? {
+                Term::Phrase(height) if height.head == HEIGHT => height.slot(Slot::Which)?,
+                _ => return None,
+            };
+            let above = match slot(slots, Slot::With)? {
+                Term::Phrase(place) if place.head == VERTICALLY_ABOVE => place.slot(Slot::Of)?,
+                point => point,
+            };
+            Some((subjects.first()?, height, above))
+        }
+        _ => None,
     }
 }

@@ -2,11 +2,14 @@
 
 use crate::algebra::Fraction;
 use crate::verify::facts::premises::Facts;
-use crate::verify::language::statement::{Declaration, Extent, Formula, Slot, Statement, Term};
+use crate::verify::language::statement::{
+    Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
+};
 use crate::verify::model::system::{FrameId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::{defined_as, is_written_as};
 use crate::verify::reading::frames_read::CUSTOMARY;
+use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, opposite, reach_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
@@ -14,6 +17,25 @@ use crate::verify::term::value::{Basis, Value};
 use num_traits::Zero;
 
 impl Builder<'_> {
+    /// "`$u$` is the vector `$v$` in components on N"
+    pub(super) fn read_same_vector(
+        &mut self,
+        subjects: &[Term],
+        same: &Formula,
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let vector = self.quantity_of(same, declaration)?;
+        let vector = match what.slot(Slot::On) {
+            Some(on) => Quantity::On(vector.boxed(), self.frame(on)?),
+            None => vector,
+        };
+        for formula in formulas(subjects) {
+            self.denote(formula, Meaning::Quantity(vector.clone()), declaration);
+        }
+        Some(())
+    }
+
     /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.
     pub(super) fn direction(
         &mut self,

@@ -22,7 +22,7 @@ use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
     are_products, is_of_products, node_of, reach_of, tells_gravity,
 };
-use crate::verify::reading::operators_read::reads_derivative;
+use crate::verify::reading::operators_read::{bracketed, reads_derivative};
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
@@ -177,6 +177,11 @@ impl Builder<'_> {
         if is_of_products(what) && formulas(subjects).any(unlabelled) || rests_for_long(what) {
             return self.say_unused(declaration);
         }
+        if let Some((opening, product)) = bracketed(subjects, what) {
+            let products = &mut self.reading.letters.customs.products;
+            products.in_brackets.insert(opening, product);
+            return;
+        }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);
         if thing || is_shape(what.head) || is_force_at(what) || is_reaction(what) {
             return;
@@ -188,7 +193,7 @@ impl Builder<'_> {
             _ if tells_gravity(what) => self.read_gravity(subjects, what, declaration),
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
-            "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
+            "scalar" | "angle" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
             QUATERNION if is_free_quaternion(what) => {
@@ -196,11 +201,7 @@ impl Builder<'_> {
             }
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
-            "time" => {
-                for formula in formulas(subjects) {
-                    self.denote(formula, Meaning::Time, declaration);
-                }
-            }
+            "time" => self.read_time(subjects, declaration),
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
             | "damping" | NATURAL_LENGTH => {
                 self.read_size(subjects, declaration);
@@ -219,6 +220,12 @@ impl Builder<'_> {
                 Some(None) => self.say_unused(declaration),
                 None => self.read_quantity(subjects, what, declaration),
             },
+        }
+    }
+
+    fn read_time(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            self.denote(formula, Meaning::Time, declaration);
         }
     }
 

@@ -49,6 +49,11 @@ impl Builder<'_> {
             Whole::Member(family, index) if phrase.is("external") => {
                 Some(Quantity::ExternalForce(family, index))
             }
+            Whole::Body(body) if phrase.is(NON_GRAVITATIONAL) => {
+                let weight = self.weight_of(body)?;
+                Some(without(Quantity::Force(Whole::Body(body)), weight))
+            }
+            _ if phrase.is(NON_GRAVITATIONAL) => None,
             of => Some(Quantity::Force(of)),
         }
     }
@@ -203,20 +208,21 @@ impl Builder<'_> {
         about: PointId,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let force = self.quantity_of(letter, declaration)?;
-        if matches!(force, Quantity::InertialForce { .. }) {
-            return about_point(force, about);
+        // A formula that is no letter tells no quantity, but may be a force that acts somewhere.
+        let force = self.quantity_of(letter, declaration);
+        if matches!(force, Some(Quantity::InertialForce { .. })) {
+            return about_point(force?, about);
         }
         let (force, at) = match force {
-            Quantity::ExternalForce(family, ref index) => {
+            Some(Quantity::ExternalForce(family, ref index)) => {
                 let at = Spot::Member(family, index.clone());
-                (force, at)
+                (force?, at)
             }
             // All that acts on a particle acts where that is.
-            Quantity::Force(Whole::Body(body))
+            Some(Quantity::Force(Whole::Body(body)))
                 if self.reading.system.bodies[body].frame.is_none() =>
             {
-                (force, Spot::Point(self.centre_of(body)))
+                (force?, Spot::Point(self.centre_of(body)))
             }
             _ => {
                 let (at, vector) = self.acting_there(letter)?;
@@ -249,6 +255,9 @@ impl Builder<'_> {
         Some(Quantity::Scaled(gravity.boxed(), mass))
     }
 }
+
+/// Said of all forces but the weight.
+const NON_GRAVITATIONAL: &str = "non-gravitational";
 
 /// The moment of the force on a particle: of all of it, of what comes from outside, or of what does not.
 fn moment_on_member(phrase: &NounPhrase, of: Whole, about: PointId) -> Quantity {

@@ -2,9 +2,9 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE, INSTANT,
-    LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, QUATERNION_DOT, RATE_FROM_FRAME, ROWS_OF_MATRIX,
-    TENSOR_PRODUCT, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
+    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, DECIMAL_NUMBERS, DOT_OF_MATRICES, FRAME_ABOVE,
+    FRAME_BEFORE_RATE, INSTANT, LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, QUATERNION_DOT,
+    RATE_FROM_FRAME, ROWS_OF_MATRIX, TENSOR_PRODUCT, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
 };
 use crate::verify::language::rate_letters::rate_letter;
 use crate::verify::language::statement::{
@@ -246,6 +246,8 @@ impl Builder<'_> {
                 let customs = &mut self.reading.letters.customs;
                 customs.crossing_brackets = effect == Effect::CrossProductMatrix;
             }
+            // Numbers are taken as they are written.
+            Sign::Custom(DECIMAL_NUMBERS) => self.say_unused(declaration),
             Sign::Custom(_) => {}
         }
     }

@@ -4,14 +4,15 @@ use crate::notation::ast::{DerivativeStyle, Factor, FrameLabel, Kind, Node, Oper
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::{
-    CROSS_PRODUCT, DERIVATIVE, PARTIAL_DERIVATIVE, PRODUCT_OF_QUATERNIONS, QUATERNION_DOT,
-    QUATERNION_PRODUCT,
+    CROSS_PRODUCT, DERIVATIVE, DOT_PRODUCT, PARTIAL_DERIVATIVE, PRODUCT_OF_QUATERNIONS,
+    QUATERNION_DOT, QUATERNION_PRODUCT,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of, reach_of};
+use crate::verify::term::customs::BracketProduct;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, LabelRule, Mark, MarkRule, Reach, spelled};
 use crate::verify::term::written::{TURNING_RATE, WrittenSymbols};
@@ -268,4 +269,19 @@ fn label_of_rate(written: &str) -> Option<String> {
         _ => None,
     };
     frame(written).or_else(|| frame(&format!("{written} q")))
+}
+
+/// "`[a, b]` is the cross product of `a` and `b`": how the brackets open, and the product.
+pub(super) fn bracketed(subjects: &[Term], what: &NounPhrase) -> Option<(char, BracketProduct)> {
+    let product = match what.head {
+        CROSS_PRODUCT => BracketProduct::Cross,
+        DOT_PRODUCT => BracketProduct::Dot,
+        _ => return None,
+    };
+    let [Term::Formula(formula)] = subjects else {
+        return None;
+    };
+    let two = matches!(&node_of(formula)?.kind, Kind::Tuple(list) if list.len() == 2);
+    let opening = formula.source.trim_start().chars().next()?;
+    two.then_some((opening, product))
 }

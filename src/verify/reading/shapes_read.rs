@@ -387,7 +387,9 @@ pub(super) fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bo
 fn roundness(shape: mechanics::Shape, sizes: &[Fraction], axis: usize) -> Option<Round> {
     // Of two radii the last one is the outer one.
     let is_radius = |size: &mechanics::Size| size.name.ends_with(RADIUS);
-    let radius = sizes.get(shape.sizes().iter().rposition(is_radius)?)?.clone();
+    let radius = sizes
+        .get(shape.sizes().iter().rposition(is_radius)?)?
+        .clone();
     match shape.name() {
         name if has(name, Trait::Ball) => Some(Round::Sphere { radius }),
         name if has(name, Trait::Rim) => Some(Round::Rim { radius, axis }),

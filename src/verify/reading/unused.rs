@@ -3,7 +3,7 @@
 use crate::notation::ast::{DerivativeStyle, Function, Kind, Node, Symbol};
 use crate::notation::document::Row;
 use crate::notation::print;
-use crate::verify::language::heads::{BOLD_LETTER, FRAME_AT_UPPER};
+use crate::verify::language::heads::{BOLD_LETTER, DECIMAL_NUMBERS, FRAME_AT_UPPER};
 use crate::verify::language::statement::{Formula, Sign, Slot, Statement, Term};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::Reading;
@@ -325,7 +325,8 @@ fn carries_custom(node: &Node, custom: &str) -> bool {
         Kind::Power(..) if at_upper => true,
         _ if at_upper => frame_label(node).is_some(),
         Kind::Symbol(symbol) if custom == BOLD_LETTER => symbol.style.vector,
-        _ if custom == BOLD_LETTER => false,
+        Kind::Number(number) if custom == DECIMAL_NUMBERS => number.decimals.is_some(),
+        _ if [BOLD_LETTER, DECIMAL_NUMBERS].contains(&custom) => false,
         Kind::Group(..) | Kind::Tuple(_) | Kind::Matrix(_) | Kind::Call(..) => true,
         Kind::InFrame(..) | Kind::Skew(_) | Kind::Norm(_) => true,
         _ => !custom.contains("brackets") && custom != "braces",

@@ -73,7 +73,10 @@ impl Builder<'_> {
                     subjects,
                     verb: "lie",
                     slots,
-                } => self.is_lying_heard(subjects, slots),
+                } => {
+                    self.is_lying_heard(subjects, slots)
+                        || self.tells_height_above_contact(&declaration.statement)
+                }
                 Statement::Does {
                     subjects,
                     verb: "point",
@@ -257,7 +260,13 @@ impl Builder<'_> {
                 true => letters_in_node(node),
                 false => letter_names(node),
             };
-            let letters = named.map(|nodes| nodes.into_iter().flat_map(own).collect());
+            // A label with the name of a frame is no letter of the quantity that carries it.
+            let frames = &self.reading.system.frames;
+            let of_frame = |letter: &String| frames.iter().any(|frame| frame.name == *letter);
+            let letters = named.map(|nodes| {
+                let all = nodes.into_iter().flat_map(own);
+                all.filter(|letter| !of_frame(letter)).collect()
+            });
             self.reading.unused.push(Unused {
                 sentence,
                 understood,

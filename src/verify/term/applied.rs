@@ -32,6 +32,9 @@ impl Lowering<'_> {
             }
             return self.applied(operator, value);
         }
+        if let Some(product) = self.times_bracketed(head, arguments) {
+            return product;
+        }
         if let Some(change) = self.change_of_brackets(head, arguments) {
             return change;
         }

@@ -44,6 +44,15 @@ pub(crate) struct Products {
     pub(crate) across: Vec<(Reach, Vector)>,
     /// Where a cross is the sign of the product of matrices.
     pub(crate) matrices_crossed: Vec<Reach>,
+    /// Which products two vectors in brackets are, by how these open.
+    pub(crate) in_brackets: BTreeMap<char, BracketProduct>,
+}
+
+/// What two vectors in brackets with a comma between them are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BracketProduct {
+    Dot,
+    Cross,
 }
 
 impl Products {

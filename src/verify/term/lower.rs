@@ -167,7 +167,10 @@ impl<'a> Lowering<'a> {
             Kind::Skew(inner) => self.skew(node, inner),
             Kind::Group(bracket, inner) => self.group(*bracket, inner),
             Kind::Norm(inner) => self.norm(inner),
-            Kind::Tuple(entries) => self.tuple(std::slice::from_ref(entries)),
+            Kind::Tuple(entries) => match self.product_in_brackets(node, entries) {
+                Some(product) => product,
+                None => self.tuple(std::slice::from_ref(entries)),
+            },
             Kind::Matrix(rows) => self.matrix(rows),
             Kind::Determinant(rows) => self.determinant(rows),
             Kind::TimeDerivative {

@@ -3,6 +3,7 @@
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
 use crate::verify::model::system::FrameId;
+use crate::verify::term::customs::BracketProduct;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
@@ -39,6 +40,39 @@ impl Lowering<'_> {
             }
             None => Ok(list),
         }
+    }
+
+    /// Two vectors in brackets, where a sentence says which product they are.
+    pub(super) fn product_in_brackets(&mut self, node: &Node, list: &[Node]) -> Option<Valued> {
+        let opening = self.source.slice(node.span).chars().next()?;
+        self.bracketed(opening, list)
+    }
+
+    fn bracketed(&mut self, opening: char, list: &[Node]) -> Option<Valued> {
+        let products = &self.letters.customs.products.in_brackets;
+        let product = products.get(&opening).copied()?;
+        let [left, right] = list else { return None };
+        let left = self.value(left).ok()?;
+        let right = self.value(right).ok()?;
+        if !left.is_vector() || !right.is_vector() {
+            return None;
+        }
+        let custom = self.custom();
+        Some(match product {
+            BracketProduct::Dot => self.system.dot(&left, &right, custom),
+            BracketProduct::Cross => self.crossed(&left, &right, custom),
+        })
+    }
+
+    /// A factor behind which two vectors stand in round brackets: no function of them, where these are a product.
+    pub(super) fn times_bracketed(&mut self, head: &Node, list: &[Node]) -> Option<Valued> {
+        let product = self.bracketed('(', list)?;
+        let times = |own: &mut Self| {
+            let (factor, product) = (own.value(head)?, product?);
+            let custom = own.custom();
+            own.system.times(&factor, &product, custom)
+        };
+        Some(times(self))
     }
 
     /// A list of components; lists in square brackets within one are the rows of a matrix, as in code.

@@ -1,0 +1,238 @@
+//! What is said in the plainest words: what points down, a particle, other vectors on other axes, products in brackets.
+
+use super::judged;
+
+#[test]
+fn bodies_are_told_apart_by_the_word_before_their_noun() {
+    let sentences = "\
+N is an inertial frame.
+$m$ is the mass of the rod assembly, and $M$ is the mass of the wheel assembly.
+P is the mass centre of the rod assembly, and Q is the mass centre of the wheel assembly.
+$u$ and $v$ are the velocities of P and Q relative to N.
+$p$ is the momentum of the rod assembly relative to N, and $q$ that of the wheel assembly.
+";
+    let text = r"
+$$ p=m u $$
+$$ q=M v $$
+$$ q=m v $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn a_quaternion_and_angles_tell_of_one_turn() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+B turns relative to N about $\\vec u$ by the angle $\\theta$.
+$\\vec u$ is a unit vector.
+$q$ takes components on B to components on N, scalar last.
+$s$ is the scalar part of $q$.
+$\\vec q$ is the vector part of $q$.
+$\\vec v$ is any vector in components on B.
+$w$ is the same vector in components on N.
+";
+    let text = r"
+$$ s=\cos\frac\theta2 $$
+$$ \vec q=\vec u\sin\frac\theta2 $$
+$$ w=q\,\vec v\,q^{-1} $$
+$$ w=q^{-1}\,\vec v\,q $$
+$$ \vec q=\vec u\sin\theta $$
+";
+    assert_eq!(judged(sentences, text), "ppprr");
+}
+
+#[test]
+fn rates_of_a_quaternion_beside_euler_angles() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+$\\psi$, $\\theta$, $\\phi$ are the Euler angles of B relative to N in the order z, y, x.
+$q$ takes components on B to components on N, scalar first.
+$a$, $b$, $c$, $d$ are the elements of $q$.
+$\\omega$ is the angular velocity of B relative to N in components on B.
+$p$, $r$, $s$ are the components of $\\omega$.
+";
+    let text = r"
+$$ \dot a=-\frac12(b p+c r+d s) $$
+$$ \dot a=\frac12(b p+c r+d s) $$
+$$ p=\dot\phi-\dot\psi\sin\theta $$
+$$ 2(b d-a c)=-\sin\theta $$
+$$ 2(b d-a c)=\sin\theta $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+}
+
+#[test]
+fn quaternions_may_be_any() {
+    let sentences = "\
+$a$ and $b$ are any quaternions, scalar first.
+$a_0$, $a_1$, $a_2$, $a_3$ are the elements of $a$.
+$b_0$, $b_1$, $b_2$, $b_3$ are the elements of $b$.
+$ab$ is the Hamilton product of $a$ and $b$.
+A star means the conjugate of a quaternion.
+";
+    let text = r"
+$$ ab=\begin{pmatrix}a_0b_0-a_1b_1-a_2b_2-a_3b_3\\a_0b_1+a_1b_0+a_2b_3-a_3b_2\\a_0b_2-a_1b_3+a_2b_0+a_3b_1\\a_0b_3+a_1b_2-a_2b_1+a_3b_0\end{pmatrix} $$
+$$ a_0=b_0 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn half_angles_tell_whole_ones_that_come_later() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+B is a frame fixed in the body.
+$q$ takes components on B to components on N, scalar first.
+B turns relative to N about z by the angle $\\theta$.
+$R$ takes components on B to components on N.
+$a$, $b$, $c$, $d$ are the elements of $q$.
+";
+    let text = r"
+$$ a=\cos\frac\theta2 $$
+$$ a^2-d^2=\cos\theta $$
+$$ R=\begin{pmatrix}a^2-d^2&-2ad&0\\2ad&a^2-d^2&0\\0&0&1\end{pmatrix} $$
+$$ a^2+d^2=\cos\theta $$
+";
+    assert_eq!(judged(sentences, text), "pppr");
+}
+
+#[test]
+fn a_particle_and_what_points_down() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+z points down.
+O is a point fixed in N.
+$m$ is the mass of a particle.
+$\\vec r$ is the position of the particle from O.
+$\\vec v$ is the velocity of the particle relative to N.
+$\\vec L$ is the angular momentum of the particle about O relative to N.
+$W$ is the component along z of the weight of the particle.
+$g$ is the acceleration of gravity.
+";
+    let text = r"
+$$ \vec L=m\,\vec r\times\vec v $$
+$$ \vec L=m\,\vec v\times\vec r $$
+$$ W=m g $$
+$$ W=-m g $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}
+
+#[test]
+fn products_of_two_vectors_in_brackets() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\\omega$ is the angular velocity of B relative to N in components on B.
+$L$ is the angular momentum of the body about G relative to N in components on B.
+$J$ is the inertia tensor of the body about G in components on B.
+$M$ is the total moment on the body about G in components on B.
+$T$ is the kinetic energy of rotation of the body.
+$[a,b]$ is the cross product of $a$ and $b$, for any vectors $a$ and $b$.
+$(a,b)$ is the dot product of $a$ and $b$.
+";
+    let text = r"
+$$ J\dot\omega+[\omega,J\omega]=M $$
+$$ J\dot\omega-[\omega,J\omega]=M $$
+$$ [\omega,[\omega,L]]=\omega(\omega,L)-L(\omega,\omega) $$
+$$ 2T=(\omega,L) $$
+";
+    assert_eq!(judged(sentences, text), "prpp");
+}
+
+#[test]
+fn frames_that_are_turned_and_their_matrices() {
+    let sentences = "\
+N is a frame.
+x, y, z are the axes of N.
+P is the frame turned relative to N about z by the angle $\\alpha$.
+$R$ takes components on N to components on P.
+$M(a)$ takes components on a frame to components on the frame turned relative to it about its third axis by the angle $a$.
+$c_\\alpha$ and $s_\\alpha$ mean $\\cos\\alpha$ and $\\sin\\alpha$.
+";
+    let text = r"
+$$ R=\begin{pmatrix}c_\alpha&s_\alpha&0\\-s_\alpha&c_\alpha&0\\0&0&1\end{pmatrix} $$
+$$ R=M(\alpha) $$
+$$ R=M(-\alpha) $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn a_wheel_whose_height_above_its_contact_is_told() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+z is the upward vertical.
+The floor is a horizontal plane fixed in N.
+B is a frame fixed in the wheel.
+B turns relative to N about y by the angle $\\phi$.
+G is the mass centre of the wheel.
+Q is the point where the wheel touches the floor.
+G lies at the height $R$ above Q.
+The wheel rolls on the floor at Q without slipping.
+$v$ is the component along x of the velocity of G relative to N.
+";
+    let text = r"
+$$ v=R\dot\phi $$
+$$ v=-R\dot\phi $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn a_body_of_any_form_rolls_on_a_plane() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+The third axis of N is the upward vertical.
+The ground is a horizontal plane fixed in N.
+C is the point where the body touches the ground.
+The body rolls on the ground at C without slipping.
+$\\omega$ is the angular velocity of B relative to N.
+$\\gamma$ is the position of C from G.
+$v$ is the velocity of G relative to N.
+";
+    let text = r"
+$$ v+\omega\times\gamma=0 $$
+$$ v=\omega\times\gamma $$
+";
+    assert_eq!(judged(sentences, text), "pu");
+}
+
+#[test]
+fn the_force_without_the_weight() {
+    let sentences = "\
+N is an inertial frame.
+G is the mass centre of the rotor.
+$m$ is the mass of the rotor.
+$v$ is the velocity of G relative to N.
+$F$ is the total force on the rotor without its weight.
+$\\vec g$ is the acceleration of gravity.
+";
+    let text = r"
+$$ m\dot v=F+m\vec g $$
+$$ m\dot v=F $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn rounded_decimals_keep_their_own_lines_open() {
+    let sentences = "\
+N is an inertial frame.
+$v$ and $w$ are constant.
+Decimal numbers are rounded to the digits shown.
+";
+    let text = r"
+$$ \frac13=0.333 $$
+$$ \frac13=\frac14 $$
+";
+    assert_eq!(judged(sentences, text), "ur");
+}
