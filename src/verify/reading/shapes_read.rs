@@ -407,9 +407,7 @@ mod tests {
         for noun in with(Trait::Shape) {
             // Halves have a hyphen in words: sentences tell no more of them than their names.
             let known = mechanics::Shape::by_name(&noun.replace('-', " "));
-            let Some(shape) = known else {
-                panic!("{noun} is not in the table")
-            };
+            let shape = known.unwrap_or_else(|| panic!("{noun} is not in the table"));
             let several = shape.sizes().iter().any(|s| s.count > 1 && !s.is_place);
             let in_one = way_told(noun) == Told::InOne;
             assert!(
