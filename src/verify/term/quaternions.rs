@@ -115,7 +115,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// A value beside a quaternion: a number is one without a vector part, a vector one without a scalar part.
+    /// A value beside a quaternion: a number is one without a vector part, a vector one without a scalar part, and a row of four
+    /// is a list as a column is.
     fn as_quaternion(&mut self, value: Value) -> Valued {
         let layout = self.letters.customs.layout;
         match value.is_vector() {
@@ -125,6 +126,7 @@ impl Lowering<'_> {
                 let zero = Fraction::zero;
                 Ok(layout.written(&Vector4::new(scalar, zero(), zero(), zero())))
             }
+            false if (value.rows, value.columns) == (1, 4) => Ok(value.transposed()),
             false => Ok(value),
         }
     }
