@@ -16,6 +16,8 @@
 //! is worth, and `derivation` tells the derivation of a declared system. All other documents are judged in the old house ([`check()`]): there `letters` and `words` say what a document
 //! means, `values` what a formula is worth, `theory` what holds, `lines` what becomes of each line, and `repair` what a
 //! false one should have been.
+//!
+#![doc = include_str!("verify/guide.md")]
 
 mod check;
 pub(crate) mod correction;

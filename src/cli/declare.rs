@@ -96,6 +96,9 @@ fn about(unused: &Unused) -> (String, String) {
         Some(Wants::Heading(title)) => format!(
             "no heading of the document reads \"{title}\": put the text of a heading between the quotation marks"
         ),
+        Some(Wants::Adjective(word, noun)) => format!(
+            "`{word}` isn't worked with before `{noun}`: say it in another way; leave it out only if it changes nothing"
+        ),
         Some(Wants::Direction(shape)) => format!(
             "say the sizes of the {shape}, and along which axis of its frame it lies: \"$z$ is the axis of the {shape}.\""
         ),

@@ -138,6 +138,7 @@ mod told_apart;
 mod told_in_parts;
 mod told_loads;
 mod told_there_alone;
+pub(crate) mod traits;
 mod triads;
 mod turned_lines;
 mod turned_triads;
@@ -156,11 +157,12 @@ pub use declare::{read_declarations, read_sentence};
 pub use lexicon::Lexicon;
 pub use manual::manual;
 pub use print::sentence;
+use traits::Trait;
 
 /// Whether only bodies have what a noun means: a momentum, an inertia.
 pub(crate) fn is_bodily(noun: &str) -> bool {
     let entry = Lexicon::shared().entry(noun, &[lexicon::Class::Noun]);
-    entry.is_some_and(|entry| entry.bodily)
+    entry.is_some_and(|entry| entry.traits.has(Trait::Bodily))
 }
 
 /// Whether a noun means a body or a part of one.

@@ -167,6 +167,20 @@ pub(crate) fn has_plain_adjectives(statement: &Statement) -> bool {
     predicate && terms.filter_map(phrase).all(is_plain)
 }
 
+/// The first adjective of a statement that is not understood of its noun, and that noun.
+pub(crate) fn idle_adjective(statement: &Statement) -> Option<(&str, &str)> {
+    let predicate = match statement {
+        Statement::Is { what, .. } | Statement::Premise(what) => Some(what),
+        _ => None,
+    };
+    let terms = statement.terms().into_iter().filter_map(phrase);
+    predicate.into_iter().chain(terms).find_map(|phrase| {
+        let mut own = phrase.adjectives.iter();
+        let idle = own.find(|adjective| !goes_with(adjective, phrase.head))?;
+        Some((*idle, phrase.head))
+    })
+}
+
 fn phrase(term: &Term) -> Option<&NounPhrase> {
     match term {
         Term::Phrase(phrase) => Some(phrase),

@@ -6,6 +6,7 @@ use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
 use super::sentence_parts::{clause, head, is_list, joins, nouns_end, preposition, thing_in};
+use super::traits::Trait;
 use super::words::{Kind, Token};
 
 /// Words before a noun that has been said.
@@ -90,7 +91,7 @@ fn owner_meant<'t>(
     let said: Vec<&str> = behind.map(words).unwrap_or_default();
     let of_things = (0..said.len().min(3)).find_map(|at| {
         let noun = lexicon.find(&said[at..], &[Class::Noun])?;
-        Some(noun.entry.bodily || OF_THINGS.contains(&noun.entry.name))
+        Some(noun.entry.traits.has(Trait::Bodily) || OF_THINGS.contains(&noun.entry.name))
     });
     let letters = subject.iter().all(|t| t.kind == Kind::Formula || joins(t));
     match owner_said(rest, lexicon).filter(|_| letters && of_things == Some(true)) {

@@ -3,6 +3,7 @@
 use super::lexicon::{Class, Inflection, Lexicon};
 use super::reader::{ARTICLES, is_glue};
 use super::statement::Slot;
+use super::traits::{Trait, has};
 use super::words::{Kind, Token};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -52,9 +53,6 @@ pub(super) const APART: [&str; 23] = [
 
 /// Words that say of a body that nothing of it is left out.
 const ENTIRE: [&str; 3] = ["whole", "entire", "complete"];
-
-/// Shapes that are called right where their axis is perpendicular to their base.
-const RIGHT: [&str; 4] = ["cylinder", "cone", "prism", "pyramid"];
 
 /// Words that count, point, compare or say how, and never name a body.
 const NO_NAMES: [&str; 48] = [
@@ -229,7 +227,11 @@ fn owned(before: &[&str], lexicon: &Lexicon) -> bool {
         (start + noun.length == before.len()).then_some(noun.entry)
     });
     noun.is_some_and(|noun| match *preposition {
-        "of" => noun.bodily || noun.slot("on").is_some() || noun.class == Class::Place,
+        "of" => {
+            noun.traits.has(Trait::Bodily)
+                || noun.slot("on").is_some()
+                || noun.class == Class::Place
+        }
         "on" => noun.slot("on") == Some(Slot::Upon),
         _ => false,
     })
@@ -355,7 +357,7 @@ fn tells_apart(tokens: &[Token], lexicon: &Lexicon) -> bool {
     };
     let both = [word.lower.as_str(), thing.lower.as_str()];
     let thing = |words: &[&str]| lexicon.find(words, &[Class::Thing]);
-    let upright = both[0] == "right" && RIGHT.contains(&both[1]);
+    let upright = both[0] == "right" && has(both[1], Trait::Right);
     let known = thing(&both).is_some_and(|known| known.length == 2);
     let body = thing(&both[1..]).is_some() || is_part_called_frame(&tokens[..2]);
     APART.contains(&both[0]) && !upright && !known && body

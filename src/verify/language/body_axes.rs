@@ -5,6 +5,7 @@ use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::say_besides;
+use super::traits::{Trait, has};
 use std::collections::BTreeSet;
 
 /// "The axis of the cylinder is the second axis of B", "it lies along that": that axis of B is the axis of the cylinder.
@@ -34,7 +35,7 @@ pub(crate) fn turn_to_frames(declarations: &mut [Declaration]) {
 /// "The axis of the cylinder is parallel to x", "it points along x": the cylinder is round about x.
 fn tell_parallel_axes(declarations: &mut [Declaration]) {
     let round = |d: &Declaration| match &d.statement {
-        Statement::Is { subjects, what } if ROUND.contains(&what.head) => subjects.clone(),
+        Statement::Is { subjects, what } if has(what.head, Trait::Round) => subjects.clone(),
         _ => vec![],
     };
     let round: Vec<Term> = declarations.iter().flat_map(round).collect();
@@ -64,9 +65,6 @@ fn tell_parallel_axes(declarations: &mut [Declaration]) {
         }
     }
 }
-
-/// Shapes that have one axis.
-const ROUND: [&str; 5] = ["cylinder", "tube", "cone", "disc", "ring"];
 
 /// "the axis of the cylinder" and "the second axis of B" in the plain order.
 fn said_of_axis(own: &Term, axis: &Term) -> Option<Statement> {

@@ -3,18 +3,8 @@
 use super::heads::{MASS_CENTRE, UNBALANCED};
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement};
+use super::traits::{Trait::OneSided, has};
 use std::collections::BTreeSet;
-
-/// Shapes whose centre, the middle of a face or of what they are cut from, is not their mass centre.
-const ONE_SIDED: [&str; 7] = [
-    "half-disc",
-    "half-cylinder",
-    "half-sphere",
-    "half-ring",
-    "cone",
-    "pyramid",
-    "triangle",
-];
 
 /// Words of where the mass of a body is.
 const OFF_CENTRE: [&str; 7] = [
@@ -53,9 +43,10 @@ fn names_with(
 /// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod.
 pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
     let mut uniform = names_with(declarations, |what| what.is("uniform"));
-    let one_sided = names_with(declarations, |what| ONE_SIDED.contains(&what.head));
+    // Their centre is the middle of a face or of what they are cut from.
+    let one_sided = names_with(declarations, |what| has(what.head, OneSided));
     let unbalanced = names_with(declarations, |what| what.head == UNBALANCED);
-    uniform.retain(|thing| !one_sided.contains(thing) && !ONE_SIDED.contains(&thing.as_str()));
+    uniform.retain(|thing| !one_sided.contains(thing) && !has(thing, OneSided));
     uniform.retain(|thing| !unbalanced.contains(thing));
     for declaration in declarations {
         if let Statement::Is { what, .. } = &mut declaration.statement

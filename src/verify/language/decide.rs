@@ -4,6 +4,7 @@ use super::in_turn::each_of_its_own;
 use super::lexicon::{Class, Entry};
 use super::sign::{is_operator, operating};
 use super::statement::{Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
+use super::traits::Trait;
 
 /// The statement that a phrase behind "is" makes.
 pub(super) fn decide(
@@ -30,7 +31,7 @@ pub(super) fn decide(
     if let Some(statements) = frame_by_name(&subjects, &what) {
         return statements;
     }
-    if entry.premise || what.is("only") || what.is("no") {
+    if entry.traits.has(Trait::Premise) || what.is("only") || what.is("no") {
         what.slots
             .extend(subjects.into_iter().map(|subject| (Slot::With, subject)));
         return vec![Statement::Premise(what)];

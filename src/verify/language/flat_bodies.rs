@@ -2,10 +2,8 @@
 
 use super::kinds::name;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use super::traits::is_round_and_flat;
 use super::turned_lines::{Direction, direction};
-
-/// Bodies that are flat and round.
-const FLAT: [&str; 2] = ["disc", "ring"];
 
 /// Gives each flat body of which no sentence says otherwise how it turns the turn about what stands on its plane.
 pub(crate) fn turn_in_own_planes(declarations: &mut Vec<Declaration>) {
@@ -83,9 +81,9 @@ fn is_inertial(frame: &Term, all: &[Declaration]) -> bool {
 /// Whether sentences say that a body is a disc or a ring.
 fn is_flat(body: &Term, all: &[Declaration]) -> bool {
     let own = |subjects: &[Term]| subjects.iter().any(|subject| name(subject) == name(body));
-    let named = name(body).is_some_and(|name| FLAT.contains(&name.as_str()));
+    let named = name(body).is_some_and(|name| is_round_and_flat(&name));
     let said = all.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => FLAT.contains(&what.head) && own(subjects),
+        Statement::Is { subjects, what } => is_round_and_flat(what.head) && own(subjects),
         _ => false,
     });
     named || said

@@ -6,6 +6,7 @@ use super::heads::{MASS_CENTRE, UNIT_VECTOR, VERTICAL, VERTICALLY_ABOVE};
 use super::planar_axes::axis;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::traits::{Trait, has};
 use super::turned_lines::{Direction, direction};
 use crate::notation::Macros;
 
@@ -221,7 +222,9 @@ fn line_of_rod(line: &Term, all: &[Declaration]) -> Option<Term> {
     let (from, to) = (way.slot(Slot::From)?, way.slot(Slot::To)?);
     let rod = rod_between(from, to, all).filter(|_| is_fixed(from, all))?;
     let is_long = all.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => what.head == "rod" && subjects.contains(&rod),
+        Statement::Is { subjects, what } => {
+            has(what.head, Trait::Slender) && subjects.contains(&rod)
+        }
         _ => false,
     });
     is_long.then_some(rod)
@@ -375,7 +378,7 @@ fn condition(slots: &[(Slot, Term)]) -> Option<Formula> {
 
 fn is_rod(rod: &Term, statement: &Statement) -> bool {
     matches!(statement, Statement::Is { subjects, what }
-        if what.head == "rod"
+        if has(what.head, Trait::Slender)
             && subjects.as_slice() == [rod.clone()]
             && what.size("length").is_some()
             && what.slot(Slot::From).is_none()

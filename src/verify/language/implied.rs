@@ -4,6 +4,7 @@ use super::bodies::may_name;
 use super::lexicon::Class;
 use super::reader::{Read, Reader, is_glue};
 use super::statement::{NounPhrase, Slot, Term};
+use super::traits::Trait;
 use super::words::Kind;
 
 /// Words before a noun that nobody knows, at most.
@@ -163,7 +164,7 @@ impl Reader<'_> {
         });
         let place = noun.entry.name == "frame" || noun.entry.name == "axes";
         // The inner radius and the reduced mass are others.
-        let sized = noun.entry.bodily || SIZES.contains(&noun.entry.name);
+        let sized = noun.entry.traits.has(Trait::Bodily) || SIZES.contains(&noun.entry.name);
         (skipped > 0 && (name && !sized || place)).then_some(skipped)
     }
 }

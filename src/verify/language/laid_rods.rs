@@ -3,6 +3,7 @@
 use super::heads::{MASS_CENTRE, UNIT_VECTOR};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::traits::{Trait, has};
 use crate::notation::Macros;
 
 /// The noun of a point at which a rod ends.
@@ -26,7 +27,7 @@ pub(super) fn lay_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
 /// from A.
 fn point_along_rods(declarations: &mut Vec<Declaration>) {
     let rods = declarations.iter().filter_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "rod" => Some(subjects),
+        Statement::Is { subjects, what } if has(what.head, Trait::Slender) => Some(subjects),
         _ => None,
     });
     let rods: Vec<Term> = rods.flatten().cloned().collect();
@@ -94,7 +95,9 @@ fn end_rods(declarations: &mut Vec<Declaration>) {
 /// Whether a thing is said to be a rod.
 fn is_rod(thing: &Term, declarations: &[Declaration]) -> bool {
     declarations.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => what.head == "rod" && subjects.contains(thing),
+        Statement::Is { subjects, what } => {
+            has(what.head, Trait::Slender) && subjects.contains(thing)
+        }
         _ => false,
     })
 }

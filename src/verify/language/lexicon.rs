@@ -2,6 +2,7 @@
 
 use super::forms::{alternatives, in_plural, on_first, parted, with_ed, with_s};
 use super::statement::Slot;
+use super::traits::{Trait, Traits};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
@@ -84,18 +85,8 @@ pub(crate) struct Entry {
     pub(crate) plural: bool,
     /// The prepositions that it takes, by their first form with hyphens, and the slots that they fill.
     pub(crate) slots: Vec<(&'static str, Slot)>,
-    /// Said of something it is a premise.
-    pub(crate) premise: bool,
-    /// Of nothing, it is what an operator means.
-    pub(crate) operator: bool,
-    /// It is one of many: "a frame", not "the frame".
-    pub(crate) one: bool,
-    /// It is a part of something: "an element of the rod".
-    pub(crate) part: bool,
-    /// Whether it tells more than what a letter is: that something vanishes, has a length or does not change.
-    pub(crate) tells: bool,
-    /// Only bodies have it.
-    pub(crate) bodily: bool,
+    /// Its flags.
+    pub(crate) traits: Traits,
 }
 
 impl Entry {
@@ -106,7 +97,7 @@ impl Entry {
 
     /// Whether it is a noun that says what quantity a letter is, and no more than that.
     pub(crate) fn only_names(&self) -> bool {
-        self.class == Class::Noun && !self.tells
+        self.class == Class::Noun && !self.traits.has(Trait::Tells)
     }
 }
 
@@ -241,7 +232,8 @@ impl Lexicon {
         };
         let (forms, rest) = rest.split_once(':').unwrap_or((rest, ""));
         let (slots, flags) = rest.split_once(';').unwrap_or((rest, ""));
-        let plural = kind == "nouns" || flags.contains("many");
+        let traits = Traits::read(flags);
+        let plural = kind == "nouns" || traits.has(Trait::Many);
         let class = match kind {
             "group" => {
                 self.groups.insert(forms.trim(), slots.trim());
@@ -276,12 +268,7 @@ impl Lexicon {
             participle: String::new(),
             plural,
             slots,
-            premise: flags.contains("premise"),
-            operator: flags.contains("operator"),
-            one: flags.contains("one"),
-            part: flags.contains("part"),
-            tells: flags.contains("tells"),
-            bodily: flags.contains("bodily"),
+            traits,
         };
         self.entries.push(entry);
         for form in parted(forms).into_iter().flat_map(alternatives) {

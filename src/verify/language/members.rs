@@ -4,6 +4,7 @@ use super::bodies::singular;
 use super::lexicon::{Entry, Inflection};
 use super::reader::Reader;
 use super::statement::{Formula, NounPhrase, Slot, Term};
+use super::traits::Trait;
 use super::words::Kind;
 use crate::notation::ast;
 use crate::notation::document::Row;
@@ -44,7 +45,7 @@ impl<'a> Reader<'a> {
     /// A body: "the hub", "wheel $i$".
     pub(super) fn member(&mut self, entry: &'a Entry, inflection: Inflection) -> Term {
         if let Some(index) = self.index() {
-            let many = entry.part && inflection == Inflection::Ending;
+            let many = entry.traits.has(Trait::Part) && inflection == Inflection::Ending;
             if many && is_name(&index) {
                 let slots = vec![(Slot::Which, Term::Formula(index))];
                 return Term::Phrase(Box::new(NounPhrase::new(entry.name, slots)));

@@ -3,16 +3,14 @@
 use super::heads::{FORCE, UNIT_VECTOR, WEIGHT, WITHOUT_FRICTION};
 use super::planar_axes::{axis, tells_distance};
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::traits::{Trait, has};
 
 /// The axis of a body along which it is long, where nothing else tells it.
 const LONG: usize = 1;
 
-/// Bodies along which something slides.
-const RAILS: [&str; 5] = ["rod", "tube", "pole", "track", "arm"];
-
 /// "The bead slides along the rod; `$r$` is its distance from O": it lies at r from O along the rod, which turns about O.
 pub(crate) fn place_on_lines(declarations: &mut Vec<Declaration>) {
-    let long = |slot, name: &str| slot == Slot::Along && RAILS.contains(&name);
+    let long = |slot, name: &str| slot == Slot::Along && has(name, Trait::Rail);
     let said = declarations.iter();
     let said: Vec<(Term, Term)> = said.filter_map(|d| sliding(&d.statement, long)).collect();
     for (bead, rail) in said {

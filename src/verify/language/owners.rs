@@ -1,15 +1,14 @@
 //! Whose something is: a point has no mass centre and no mass, but the body has to which it belongs.
 
 use super::acting::tell_where_forces_act;
-use super::heads::{
-    CONTACT_FORCE, FORCE, FORCES_OF_A_KIND, MASS, MOMENT, MOMENTS_OF_A_KIND, WEIGHT,
-};
+use super::heads::{CONTACT_FORCE, FORCE, MASS, MOMENT, WEIGHT};
 use super::kinds::name;
 use super::listed::tell_listed_moments;
 use super::loaded_bodies::name_loaded_bodies;
 use super::other_loads::tell_other_moments;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::the_axis::tell_the_axis;
+use super::traits::{self, Trait};
 use super::{is_bodily, is_body};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
@@ -184,9 +183,7 @@ fn letters_of_loads(declarations: &[Declaration]) -> Vec<Term> {
 }
 
 fn is_load(head: &str) -> bool {
-    matches!(head, FORCE | MOMENT | WEIGHT)
-        || FORCES_OF_A_KIND.contains(&head)
-        || MOMENTS_OF_A_KIND.contains(&head)
+    matches!(head, FORCE | MOMENT | WEIGHT) || traits::has(head, Trait::OfAKind)
 }
 
 /// "the forces at P and Q": one at each.

@@ -7,6 +7,7 @@ use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
 use super::reader::{ARTICLES, Read, Reader};
 use super::statement::{NounPhrase, Slot, Term};
+use super::traits::Trait;
 use super::words::Kind;
 
 /// What may be the head of a phrase.
@@ -174,7 +175,7 @@ impl<'a> Reader<'a> {
             .filter(|found| found.entry.class == Class::Thing);
         let qualifier = thing.filter(|found| self.qualifies(found.length));
         if let Some(found) = thing.filter(|_| !owned && qualifier.is_none()) {
-            let whole = found.entry.part && self.word_at(found.length) == "of";
+            let whole = found.entry.traits.has(Trait::Part) && self.word_at(found.length) == "of";
             if !whole {
                 self.at += found.length;
                 return Ok(self.member(found.entry, found.inflection));

@@ -6,6 +6,7 @@ use super::laid_rods::lay_rods;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
+use super::traits::{Trait, has};
 use crate::notation::Macros;
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
@@ -143,9 +144,9 @@ pub(crate) fn begin_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
         let Statement::Is { subjects, what } = statement else {
             return vec![];
         };
-        let ([rod], "rod", Some(from)) = (
+        let ([rod], true, Some(from)) = (
             subjects.as_slice(),
-            what.head,
+            has(what.head, Trait::Slender),
             what.slot(Slot::From).cloned(),
         ) else {
             return vec![];

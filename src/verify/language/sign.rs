@@ -6,6 +6,7 @@ use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
 use super::statement::{Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term};
+use super::traits::Trait;
 use super::words::Kind;
 use crate::notation::ast::Kind as Tree;
 use crate::notation::document::Row;
@@ -265,5 +266,5 @@ pub(crate) fn is_operator(formula: &Formula, phrase: &NounPhrase, entry: &Entry)
         },
         Row::Line(_) | Row::Unreadable { .. } => true,
     };
-    entry.operator && (operates || phrase.slot(Slot::Of).is_none())
+    entry.traits.has(Trait::Operator) && (operates || phrase.slot(Slot::Of).is_none())
 }

@@ -94,6 +94,7 @@ fn put(phrase: &mut NounPhrase, told: &[LoadsOfFamily]) {
             slots.push((slot, term));
             continue;
         };
+        let whole = inner.slots.clone();
         let hung: Vec<(Slot, Term)> = match phrase.head == MOMENT && slot == Slot::Of {
             true => {
                 let outer = |(s, _): &(Slot, Term)| matches!(s, Slot::About | Slot::On);
@@ -114,7 +115,7 @@ fn put(phrase: &mut NounPhrase, told: &[LoadsOfFamily]) {
                 slots.extend(hung);
             }
             None => {
-                inner.slots.extend(hung);
+                inner.slots = whole;
                 put(&mut inner, told);
                 slots.push((slot, Term::Phrase(inner)));
             }

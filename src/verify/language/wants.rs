@@ -17,6 +17,8 @@ pub enum Wants {
     OneOfTwo(String),
     /// A heading with this text, under which the sentence is said to hold.
     Heading(String),
+    /// Another word, or none, in the place of this one before this noun.
+    Adjective(String, String),
     /// The axis along which a shape lies, and its sizes: its noun.
     Direction(String),
 }

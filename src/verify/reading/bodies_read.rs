@@ -3,10 +3,12 @@
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::language::traits::{Trait, has};
 use crate::verify::language::{heads::MASS, is_bodily, is_body};
 use crate::verify::model::system::{BodyId, ELEMENT, Family, Rotors};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, is_letter, name_of};
+use crate::verify::reading::shapes_read::is_shape;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::{Quantity, Whole};
 
@@ -15,11 +17,6 @@ pub(super) const WHOLES: [&str; 4] = ["body", "rigid body", "particle", "system"
 
 /// The name of the body that stands for each particle of several.
 pub(super) const EACH: &str = "each";
-
-/// Things that are fixed, and on which others stand or roll.
-const GROUNDS: [&str; 7] = [
-    "floor", "incline", "table", "wall", "track", "support", "earth",
-];
 
 /// Words that count the members of a family.
 const COUNTS: [&str; 5] = ["two", "three", "four", "five", "six"];
@@ -91,7 +88,7 @@ impl Builder<'_> {
                     self.add_named_body(name);
                 }
             }
-            head if WHOLES.contains(&head) || self.is_shape(head) => {
+            head if WHOLES.contains(&head) || is_shape(head) => {
                 for subject in subjects {
                     if let Some(name) = name_of(subject) {
                         self.add_named_body(&name);
@@ -134,7 +131,7 @@ impl Builder<'_> {
             }
             _ => false,
         });
-        said || GROUNDS.contains(&name)
+        said || has(name, Trait::Ground)
     }
 
     pub(super) fn add_named_body(&mut self, name: &str) -> BodyId {
@@ -364,7 +361,7 @@ impl Builder<'_> {
             let Statement::Is { subjects, what } = &declaration.statement else {
                 continue;
             };
-            if !(WHOLES.contains(&what.head) || self.is_shape(what.head)) {
+            if !(WHOLES.contains(&what.head) || is_shape(what.head)) {
                 continue;
             }
             for subject in subjects {
@@ -379,7 +376,7 @@ impl Builder<'_> {
 
     /// "P is a particle of mass `$m$`", "the rods are thin rods of length `$l$`".
     fn read_sizes(&mut self, body: BodyId, what: &NounPhrase, declaration: &Declaration) {
-        if !self.is_shape(what.head) {
+        if !is_shape(what.head) {
             self.round_body(body, what, declaration);
         } else if self.shape_body(body, what, declaration).is_none() {
             self.say_unused(declaration);

@@ -3,12 +3,13 @@
 use crate::algebra::Fraction;
 use crate::verify::language::phrase::ORDINALS;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use crate::verify::language::traits::is_conical;
 use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::body_lines::ALONG;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, reach_of};
-use crate::verify::reading::shapes_read::{CONE, ROD};
+use crate::verify::reading::shapes_read::is_rod;
 use crate::verify::term::letters::Reach;
 
 /// The noun of the points at which a rod ends.
@@ -133,12 +134,12 @@ impl Builder<'_> {
 
     /// The way from the mass centre of a uniform rod to one of its ends, or of a cone to its apex, at which its line begins.
     pub(super) fn way_to_end(&mut self, body: BodyId, first: bool) -> Option<Vector> {
-        let (what, declaration) = self.said_to_be(body, &[ROD, CONE])?;
+        let (what, declaration) = self.said_to_be(body, |noun| is_rod(noun) || is_conical(noun))?;
         let told = self.told_axis_of_shape(body);
         if told.is_none() && !self.has_ends(body) {
             self.tell_line_by_points(body)?;
         }
-        let (size, part) = match (what.head == ROD, first) {
+        let (size, part) = match (is_rod(what.head), first) {
             (true, true) => ("length", Fraction::from_ratio(-1, 2)),
             (true, false) => ("length", Fraction::from_ratio(1, 2)),
             (false, true) => ("height", Fraction::from_ratio(-3, 4)),
@@ -165,7 +166,7 @@ impl Builder<'_> {
             })
         };
         let ends = &self.reading.system.bodies[body].ends;
-        let rod = self.said_to_be(body, &[ROD]);
+        let rod = self.said_to_be(body, is_rod);
         rod.is_some_and(|(what, _)| what.is("uniform"))
             && ends.len() == 2
             && ends.iter().all(placed)

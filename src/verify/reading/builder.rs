@@ -54,7 +54,7 @@ pub(super) const MOST_TERMS: usize = 100_000;
 pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize) -> Reading {
     let written = WrittenSymbols::new(written);
     // What holds under a condition is never taken as always true, and what is denied is no fact.
-    let (said, contradictions) = heard(with_elements(declarations, &written));
+    let (said, wants) = heard(with_elements(declarations, &written));
     let (conditional, always): (Vec<_>, Vec<_>) = said
         .into_iter()
         .map(|d| if_rates_are_told_apart(d, declarations, &written))
@@ -104,7 +104,7 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
     builder.say_unheard();
     builder.widen_unused();
     builder.connect_unused(&conditional);
-    builder.say_what_unused_want(&contradictions);
+    builder.say_what_unused_want(&wants);
     builder.reading
 }
 

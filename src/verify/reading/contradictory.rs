@@ -2,6 +2,7 @@
 
 use crate::verify::language::heads::{DYNAMICALLY_BALANCED, UNBALANCED, VERTICAL};
 use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slot};
+use crate::verify::language::traits::{Trait, has};
 use crate::verify::reading::names::name_of;
 use std::collections::BTreeMap;
 
@@ -10,9 +11,6 @@ const SIDES: [&str; 2] = ["upward", "downward"];
 
 /// What is called a radius and a diameter of one thing is neither.
 const ACROSS: [&str; 2] = ["radius", "diameter"];
-
-/// Shapes with a single axis.
-const ROUND: [&str; 6] = ["disc", "ring", "rod", "cylinder", "tube", "cone"];
 
 /// The sentences, those that contradict another one as such that were not understood; and these by their texts, each with that
 /// other one.
@@ -233,8 +231,9 @@ fn has_other_axis(one: &Told<'_>, other: &Told<'_>, all: &[Declaration]) -> bool
     let (Some((axis, body)), Some((second, same))) = (&one.axis, &other.axis) else {
         return false;
     };
+    let has_one = |noun: &str| has(noun, Trait::Round) || has(noun, Trait::Slender);
     let is_round = |d: &Declaration| match &d.statement {
-        Statement::Is { subjects, what } => ROUND.contains(&what.head) && names(subjects, body),
+        Statement::Is { subjects, what } => has_one(what.head) && names(subjects, body),
         _ => false,
     };
     body == same

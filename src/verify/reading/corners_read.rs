@@ -55,7 +55,7 @@ impl Builder<'_> {
         axis: &Term,
         declaration: &Declaration,
     ) -> Option<Fraction> {
-        if let Some((what, said)) = self.said_to_be(body, &[ALIKE]) {
+        if let Some((what, said)) = self.said_to_be(body, |noun| noun == ALIKE) {
             return self.size_of_shape(body, what, "edge", said);
         }
         let (frame, number) = self.axis_of_frame(axis)?;

@@ -7,7 +7,7 @@ use crate::verify::model::atoms::{Key, Motion, fraction};
 use crate::verify::model::system::{BodyId, ELEMENT};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{index_letter, name_of};
-use crate::verify::reading::shapes_read::SHAPES;
+use crate::verify::reading::shapes_read::is_shape;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 
@@ -32,7 +32,7 @@ impl Builder<'_> {
         let of = phrase.slot(Slot::Of)?;
         // That of a plate is by its area, that of a rod by its length: which one the shape tells.
         if let Some(body) = self.body(of)
-            && let Some((shape, told)) = self.said_to_be(body, &SHAPES)
+            && let Some((shape, told)) = self.said_to_be(body, is_shape)
         {
             return self.density_of_shape(body, phrase, shape, told);
         }

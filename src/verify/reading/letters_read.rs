@@ -31,12 +31,10 @@ use crate::verify::reading::rate_matrices_read::rates_in;
 use crate::verify::reading::reactions_read::is_reaction;
 use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::rotations_read::turns_by_argument;
+use crate::verify::reading::shapes_read::{is_known_by_name, is_shape};
 use crate::verify::reading::steps_read::EXPLICIT_EULER;
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
-
-/// Shapes that are halves of others, of which no tensor is known.
-const HALVES: [&str; 3] = ["half-disc", "half-cylinder", "half-ring"];
 
 /// Nouns that name no quantity: others hear of these things.
 const THINGS: [&str; 27] = [
@@ -171,12 +169,8 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        // What the products of inertia are is a rule of notation.
         if subjects.len() == 1 && subjects.iter().all(are_products) {
-            if !matches!(what.head, "integral" | "entry" | "zero") {
-                self.say_unused(declaration);
-            }
-            return;
+            return self.read_rule_of_products(what, declaration);
         }
         // Without labels no custom says which product is which.
         let unlabelled = |f: &Formula| labelled_entry(f).is_none();
@@ -189,7 +183,7 @@ impl Builder<'_> {
             return;
         }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);
-        if thing || self.is_shape(what.head) || is_force_at(what) || is_reaction(what) {
+        if thing || is_shape(what.head) || is_force_at(what) || is_reaction(what) {
             return;
         }
         match what.head {
@@ -209,11 +203,7 @@ impl Builder<'_> {
             }
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
-            "time" => {
-                for formula in formulas(subjects) {
-                    self.denote(formula, Meaning::Time, declaration);
-                }
-            }
+            "time" => self.read_time(subjects, declaration),
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
             | "damping" | NATURAL_LENGTH => {
                 self.read_size(subjects, declaration);
@@ -232,6 +222,19 @@ impl Builder<'_> {
                 Some(None) => self.say_unused(declaration),
                 None => self.read_quantity(subjects, what, declaration),
             },
+        }
+    }
+
+    fn read_time(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            self.denote(formula, Meaning::Time, declaration);
+        }
+    }
+
+    /// What the products of inertia are is a rule of notation.
+    fn read_rule_of_products(&mut self, what: &NounPhrase, declaration: &Declaration) {
+        if !matches!(what.head, "integral" | "entry" | "zero") {
+            self.say_unused(declaration);
         }
     }
 
@@ -274,7 +277,7 @@ impl Builder<'_> {
             |term: &Term| matches!(term, Term::Formula(_)) || matches!(term, Term::Phrase(_));
         if !subjects.iter().any(named) {
             // A shape of which no more than the name is known.
-            if HALVES.contains(&what.head) && !what.slots.is_empty() {
+            if is_known_by_name(what.head) && !what.slots.is_empty() {
                 self.say_unused(declaration);
             }
             return;

@@ -1,13 +1,14 @@
 //! Forces and moments by their nouns: of bodies and members, of weights, and of turning frames.
 
-use crate::verify::language::heads::{CONTACT_FORCE, FORCE, MOMENT, NORMAL_FORCE, WEIGHT};
+use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::traits::{Trait, has, is_force};
 use crate::verify::model::inertial_loads::Inertial;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_outside::opposite;
-use crate::verify::reading::loads_read::{FORCES, letters_of};
+use crate::verify::reading::loads_read::letters_of;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::only_moments_read::each_moment;
 use crate::verify::reading::quantities_read::without;
@@ -87,7 +88,7 @@ impl Builder<'_> {
         let mut loads = premise.all(Slot::With);
         premise.is("only")
             && loads.any(|load| match load {
-                Term::Phrase(load) if FORCES.contains(&load.head) => {
+                Term::Phrase(load) if is_force(load.head) => {
                     load.slot(Slot::At).and_then(|term| self.point(term)) == Some(at)
                 }
                 _ => false,
@@ -139,7 +140,9 @@ impl Builder<'_> {
                 };
                 self.named_moment(load, about)
             }
-            Term::Phrase(load) if is_force(load) => self.moment_of_force(load, phrase, declaration),
+            Term::Phrase(load) if acts_at_point(load) => {
+                self.moment_of_force(load, phrase, declaration)
+            }
             _ => {
                 let of = self.whole_of(phrase)?;
                 let about = self.about(phrase, &of)?;
@@ -276,13 +279,13 @@ fn moment_on_member(phrase: &NounPhrase, of: Whole, about: PointId) -> Quantity 
 }
 
 /// Whether a noun is that of a force that acts at a point.
-fn is_force(load: &NounPhrase) -> bool {
-    FORCES.contains(&load.head) || matches!(load.head, WEIGHT | CONTACT_FORCE | NORMAL_FORCE)
+fn acts_at_point(load: &NounPhrase) -> bool {
+    is_force(load.head) || load.head == WEIGHT || has(load.head, Trait::Touch)
 }
 
 /// Whether a noun is that of a load, and not of what exerts one.
 pub(super) fn is_load(noun: &NounPhrase) -> bool {
-    is_force(noun) || names_load(noun) || inertial(noun.head).is_some()
+    acts_at_point(noun) || names_load(noun) || inertial(noun.head).is_some()
 }
 
 /// "the moment of the force `F` about Q along `e`": a force is about no point, and what follows that is said of its moment.

@@ -1,10 +1,11 @@
 //! Loads of one body on another: "the force and the moment of the hub on the wheel". What the other one does to the first
 //! is their opposite.
 
-use crate::verify::language::heads::{FORCE, MOMENT, MOMENTS_OF_A_KIND};
+use crate::verify::language::heads::{FORCE, MOMENT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::language::traits::is_couple_of_a_kind;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, Point, PointId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -303,7 +304,7 @@ impl Builder<'_> {
 
     /// "the motor moment": the one of its kind between a body and another one, where sentences tell whose it is.
     pub(super) fn kind_between(&self, phrase: &NounPhrase, body: BodyId) -> Option<Load> {
-        let of_a_kind = MOMENTS_OF_A_KIND.contains(&phrase.head);
+        let of_a_kind = is_couple_of_a_kind(phrase.head);
         let plain = of_a_kind && phrase.slots.is_empty() && phrase.adjectives.is_empty();
         let loads = self.reading.system.loads.iter();
         let pairs = loads.filter_map(|load| match load.called {
@@ -346,7 +347,7 @@ impl Builder<'_> {
         };
         let rigid = |body: BodyId| self.reading.system.bodies[body].frame.is_some();
         let load = matches!(phrase.head, FORCE | MOMENT)
-            || phrase.slot(Slot::Upon).is_some() && MOMENTS_OF_A_KIND.contains(&phrase.head);
+            || phrase.slot(Slot::Upon).is_some() && is_couple_of_a_kind(phrase.head);
         (load && agent != on && rigid(agent) && rigid(on)).then_some(Pair { agent, on })
     }
 

@@ -2,10 +2,11 @@
 
 use crate::algebra::Place;
 use crate::notation::ast::Kind;
-use crate::verify::language::heads::{AERODYNAMIC_FORCE, FORCE, MOMENT, MOMENTS_OF_A_KIND};
+use crate::verify::language::heads::{FORCE, MOMENT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::language::traits::{is_couple, is_force};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::blows_read::rests_before;
@@ -17,28 +18,12 @@ use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::Value;
 
-/// Nouns of what acts at a point.
-pub(super) const FORCES: [&str; 9] = [
-    "force",
-    "thrust",
-    "lift",
-    "drag",
-    "tension",
-    "friction",
-    "buoyancy",
-    AERODYNAMIC_FORCE,
-    IMPULSE,
-];
-
 /// The noun of a blow.
 const IMPULSE: &str = "impulse";
 
 /// Whether a sentence says what the loads on something come to, which a law alone ties to its motion.
 pub(crate) fn tells_loads(declaration: &Declaration) -> bool {
-    let of_loads = |head: &str| {
-        let of_a_kind = FORCES.contains(&head) || MOMENTS_OF_A_KIND.contains(&head);
-        of_a_kind || matches!(head, MOMENT | "load")
-    };
+    let of_loads = |head: &str| is_force(head) || is_couple(head) || head == "load";
     match &declaration.statement {
         Statement::Premise(premise) => of_loads(premise.head),
         Statement::Is { subjects, what } => {
@@ -195,8 +180,7 @@ impl Builder<'_> {
         {
             return Some(());
         }
-        let couple = head == MOMENT || MOMENTS_OF_A_KIND.contains(&head);
-        if at.is_some() != FORCES.contains(&head) || at.is_none() && !couple {
+        if at.is_some() != is_force(head) || at.is_none() && !is_couple(head) {
             return None;
         }
         let acting = Acting {
@@ -369,7 +353,7 @@ impl Builder<'_> {
 
 /// Whether a noun is that of a force at a point.
 pub(super) fn is_force_at(what: &NounPhrase) -> bool {
-    FORCES.contains(&what.head) && what.slot(Slot::At).is_some()
+    is_force(what.head) && what.slot(Slot::At).is_some()
 }
 
 /// Whether it is said that something is at rest, and of no blow that comes then.

@@ -2,15 +2,13 @@
 
 use crate::verify::language::heads::MASS;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::traits::{Trait, has};
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::elements_read::DENSITY;
 
 /// What is said of a shape whose mass does not fill it.
 pub(super) const HOLLOW: &str = "hollow";
-
-/// Shapes that are hollow by their nouns.
-const HOLLOW_SHAPES: [&str; 3] = ["tube", "shell", "ring"];
 
 /// What is denied of a body of which the mass is not spread evenly.
 const EVEN: [&str; 3] = ["uniform", "solid", "constant"];
@@ -67,7 +65,7 @@ impl Builder<'_> {
         self.declarations.iter().any(|d| match &d.statement {
             Statement::Is { subjects, what } => {
                 let hollow = what.head == HOLLOW && what.adjectives.is_empty();
-                let by_shape = self.said_to_be(body, &HOLLOW_SHAPES).is_some();
+                let by_shape = self.is_shaped(body, |noun| has(noun, Trait::Hollow));
                 hollow && !by_shape && subjects.iter().any(own)
             }
             Statement::Does { subjects, verb, .. } => {

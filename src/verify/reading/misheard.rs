@@ -1,7 +1,7 @@
 //! Sentences with a word that the model has nothing for, and that turns what they say into something else: they tell nothing.
 
 use crate::notation::ast::Kind;
-use crate::verify::language::adjectives::has_plain_adjectives;
+use crate::verify::language::adjectives::{has_plain_adjectives, idle_adjective};
 use crate::verify::language::heads::{
     DOWNHILL, EXCEPT, KEEPS_DIRECTION, MASS, NOTHING, OPPOSITE_TO, PLAIN_ADVERBS, POSITIVE_ABOUT,
     POSITIVE_TOWARDS, TOWARDS, TOWARDS_GROWING, UNDERBRACE, UPHILL, VERTICAL, WAY_OF_SETTING,
@@ -10,6 +10,7 @@ use crate::verify::language::heads::{
 use crate::verify::language::statement::{
     Declaration, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
+use crate::verify::language::wants::Wants;
 use crate::verify::language::{is_body, is_load, only_names};
 use crate::verify::reading::contradictory::unless_contradictory;
 use crate::verify::reading::corners_read::CORNER;
@@ -36,14 +37,21 @@ const SENSES: [&str; 5] = [
 /// Directions that a letter is said to be.
 const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
 
-/// The sentences, and one that was not understood in the place of each that tells nothing; and those among them that
-/// contradict another one, each with that one.
-pub(super) fn heard(
-    declarations: Vec<Declaration>,
-) -> (Vec<Declaration>, BTreeMap<String, String>) {
+/// The sentences, and one that was not understood in the place of each that tells nothing; and of those of which one can
+/// say why: they contradict another one, or a word in them is idle.
+pub(super) fn heard(declarations: Vec<Declaration>) -> (Vec<Declaration>, BTreeMap<String, Wants>) {
     let (left, contradictions) = unless_contradictory(declarations);
     let all = of_each_frame(left).into_iter().map(with_zero_said);
-    (all.map(heard_or_unread).collect(), contradictions)
+    let all: Vec<Declaration> = all.collect();
+    let idle = all.iter().filter_map(|declaration| {
+        let (word, noun) = idle_adjective(&declaration.statement)?;
+        let wants = Wants::Adjective(word.to_owned(), noun.to_owned());
+        Some((declaration.sentence().to_owned(), wants))
+    });
+    let mut wants: BTreeMap<String, Wants> = idle.collect();
+    let otherwise = contradictions.into_iter();
+    wants.extend(otherwise.map(|(sentence, other)| (sentence, Wants::OneOfTwo(other))));
+    (all.into_iter().map(heard_or_unread).collect(), wants)
 }
 
 /// The sentence, or one that was not understood in its place.

@@ -1,11 +1,10 @@
 //! Loads that a noun names without a letter: "the thrust", "the drag on the aircraft".
 
-use crate::verify::language::heads::{
-    CONTACT_FORCE, FORCE, FORCES_OF_A_KIND, FRICTION, MOMENT, MOMENTS_OF_A_KIND, NORMAL_FORCE,
-};
+use crate::verify::language::heads::{CONTACT_FORCE, FORCE, MOMENT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::language::traits::{Trait, has, is_couple, is_couple_of_a_kind};
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -18,8 +17,7 @@ use crate::verify::term::value::{Basis, Value};
 
 /// Whether a phrase names a load by its noun, and not by the point where it acts.
 pub(super) fn names_load(phrase: &NounPhrase) -> bool {
-    let mut kinds = FORCES_OF_A_KIND.iter().chain(&MOMENTS_OF_A_KIND);
-    kinds.any(|kind| *kind == phrase.head) && phrase.slot(Slot::At).is_none()
+    has(phrase.head, Trait::OfAKind) && phrase.slot(Slot::At).is_none()
 }
 
 /// Whether what is said to be a load may be its size alone: a letter that is not written as a vector, of which no components
@@ -86,7 +84,7 @@ impl Builder<'_> {
         let called = Called::Noun(noun.clone(), body);
         if self.loads_called(&called).is_empty() {
             let label = format!("{noun},{}", self.reading.system.bodies[body].name);
-            if phrase.head == FORCE || !is_moment(phrase.head) {
+            if phrase.head == FORCE || !is_couple(phrase.head) {
                 let force = self.free_load(&format!("F_{{{label}}}"), None)?;
                 self.push_named_load((&noun, body), force, Some(self.centre_of(body)));
             }
@@ -104,8 +102,9 @@ impl Builder<'_> {
     /// Whether a noun names what something does to a body by touching it, where the model has nothing that touches: a load
     /// like others, of which nothing more is known.
     pub(super) fn names_touch(&self, phrase: &NounPhrase) -> bool {
-        let touch = [CONTACT_FORCE, NORMAL_FORCE, FRICTION].contains(&phrase.head);
-        touch && phrase.slot(Slot::At).is_none() && self.reading.system.contacts.is_empty()
+        has(phrase.head, Trait::Touch)
+            && phrase.slot(Slot::At).is_none()
+            && self.reading.system.contacts.is_empty()
     }
 
     /// The letters and formulas that sentences tell for what a noun names on a body: "The thrust `F k` acts on the rocket at
@@ -287,7 +286,7 @@ impl Builder<'_> {
         let (along, said) = declarations.iter().find_map(|d| match &d.statement {
             Statement::Is { subjects, what } => {
                 let own = formulas(subjects).any(|own| same_letter(own, letter));
-                let one = MOMENTS_OF_A_KIND.contains(&what.head)
+                let one = is_couple_of_a_kind(what.head)
                     || what.head == MOMENT
                         && (self.agent_outside(what, None).is_some()
                             || self.is_between(what, None));
@@ -300,10 +299,6 @@ impl Builder<'_> {
         })?;
         self.direction(&along.clone(), said, None)
     }
-}
-
-fn is_moment(head: &str) -> bool {
-    head == MOMENT || MOMENTS_OF_A_KIND.contains(&head)
 }
 
 /// What a load is called that a noun names: with its adjectives, and by what exerts it.

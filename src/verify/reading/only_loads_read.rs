@@ -3,11 +3,12 @@
 use crate::algebra::Fraction;
 use crate::verify::language::heads::{FORCE, MOMENT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
+use crate::verify::language::traits::is_force;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::loads_between::one_of_each;
-use crate::verify::reading::loads_read::{Acting, FORCES, lasting_of, letters_of};
+use crate::verify::reading::loads_read::{Acting, lasting_of, letters_of};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{is_letter, is_marked_vector, node_of};
 use crate::verify::term::letters::{Meaning, spelled};
@@ -184,7 +185,7 @@ impl Builder<'_> {
         // A force on a particle acts where that is.
         let particle = self.reading.system.bodies[listed.body].frame.is_none();
         if let (true, None, [letter]) = (
-            premise.head == "force" || particle && FORCES.contains(&load.head),
+            premise.head == "force" || particle && is_force(load.head),
             load.slot(Slot::At),
             letters.as_slice(),
         ) {
@@ -201,7 +202,7 @@ impl Builder<'_> {
             listed.loads.push(moment);
             return Some(());
         }
-        if !FORCES.contains(&load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
+        if !is_force(load.head) || lasting_of(load.head) != lasting || letters.len() > 1 {
             return None;
         }
         let letter = letters.first().map(|letter| (*letter).clone());

@@ -3,10 +3,10 @@
 use crate::algebra::{Fraction, Variable, compose};
 use crate::notation::document::Row;
 use crate::verify::language::heads::{
-    CONTACT_FORCE, ENERGY_OF_ROTATION, FORCE, FRICTION, HEIGHT, NORMAL_FORCE, OF_LOADS,
-    OF_POTENTIALS, WEIGHT,
+    ENERGY_OF_ROTATION, FORCE, HEIGHT, OF_LOADS, OF_POTENTIALS, WEIGHT,
 };
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::traits::{Trait, has};
 use crate::verify::model::atoms::{Nature, whole};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
@@ -112,7 +112,7 @@ impl<'a> Builder<'a> {
         let holds = |load: &NounPhrase| {
             load.slot(Slot::At).is_some()
                 || load.slot(Slot::Of).is_some_and(is_joint)
-                || matches!(load.head, CONTACT_FORCE | NORMAL_FORCE | FRICTION)
+                || has(load.head, Trait::Touch)
         };
         // What springs do is in their potential energies.
         let works = |load: &NounPhrase| match weighs(load) {

@@ -8,12 +8,13 @@ use crate::verify::language::heads::{
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::language::traits;
 use crate::verify::model::contact::Contact;
 use crate::verify::model::loads::{Called, Lasting, Load};
 use crate::verify::model::system::{PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::loads_read::{FORCES, is_force_at, letters_of};
+use crate::verify::reading::loads_read::{is_force_at, letters_of};
 use crate::verify::reading::names::{is_marked_vector, node_of};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -297,7 +298,7 @@ impl Builder<'_> {
 
     /// Whether a term is a force that sentences speak of: the friction, or a letter that they say to be a force.
     pub(super) fn is_force(&self, term: &Term) -> bool {
-        let is_force = |head: &str| FORCES.contains(&head) || PARTS.contains(&head);
+        let is_force = |head: &str| traits::is_force(head) || PARTS.contains(&head);
         let letter = match term {
             Term::Formula(letter) => letter,
             Term::Phrase(phrase) => return is_force(phrase.head),

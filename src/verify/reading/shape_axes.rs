@@ -7,7 +7,7 @@ use crate::verify::language::statement::{Declaration, Slot, Statement, Term, slo
 use crate::verify::model::atoms::fraction;
 use crate::verify::model::system::{BodyId, FrameId, Line, PointId, Turn, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::shapes_read::ROD;
+use crate::verify::reading::shapes_read::{is_rod, is_shape};
 use num_traits::Zero;
 use std::collections::BTreeSet;
 
@@ -53,7 +53,7 @@ impl<'a> Builder<'a> {
                     match what.head {
                         "axis" => subject.filter(|_| of && what.slot(Slot::Which).is_none()),
                         // "a thin rod along the second axis of B"
-                        head if self.is_shape(head) => {
+                        head if is_shape(head) => {
                             let along = what.slot(Slot::Along);
                             along.filter(|_| subjects.iter().any(own))
                         }
@@ -98,7 +98,7 @@ impl<'a> Builder<'a> {
     pub(super) fn tell_lengths_of_rods(&mut self) {
         for body in 0..self.reading.system.bodies.len() {
             let ends = !self.reading.system.bodies[body].ends.is_empty();
-            if let Some((what, said)) = self.said_to_be(body, &[ROD]).filter(|_| ends) {
+            if let Some((what, said)) = self.said_to_be(body, is_rod).filter(|_| ends) {
                 self.size_of_shape(body, what, "length", said);
             }
         }
@@ -151,7 +151,7 @@ impl<'a> Builder<'a> {
 
     /// The way from the first end of a rod to the other, in lengths of the rod, where both stand.
     fn way_between_ends(&mut self, body: BodyId) -> Option<Vector> {
-        let (what, declaration) = self.said_to_be(body, &[ROD])?;
+        let (what, declaration) = self.said_to_be(body, is_rod)?;
         let length = self.size_of_shape(body, what, "length", declaration)?;
         let ends = self.reading.system.bodies[body].ends.iter();
         let ends: Option<Vec<PointId>> = ends.map(|end| self.points.get(end).copied()).collect();
@@ -175,7 +175,7 @@ impl<'a> Builder<'a> {
         let places = self.places_on_line(body);
         let ((first, from), rest) = places.split_first()?;
         let (last, to) = rest.last()?;
-        let (what, declaration) = self.said_to_be(body, &[ROD])?;
+        let (what, declaration) = self.said_to_be(body, is_rod)?;
         let length = self.size_of_shape(body, what, "length", declaration)?;
         let way = self.reading.system.position(*last, *first)
             / (length.clone() * (to.clone() - from.clone()));

@@ -5,6 +5,7 @@ use crate::mechanics;
 use crate::verify::language::heads::{MASS, POSITION};
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::traits::{Trait, has, is_conical, is_round_and_flat};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, Matrix, Turn};
 use crate::verify::reading::builder::Builder;
@@ -17,31 +18,6 @@ use std::collections::BTreeSet;
 const PLAIN: [&str; 8] = [
     "uniform", "thin", "rigid", "circular", "straight", "solid", "heavy", "right",
 ];
-/// The nouns of shapes with sizes.
-pub(super) const SHAPES: [&str; 14] = [
-    "disc",
-    "rod",
-    "ring",
-    "cylinder",
-    "tube",
-    "sphere",
-    "shell",
-    "cone",
-    PYRAMID,
-    "box",
-    "cube",
-    "plate",
-    "ellipsoid",
-    "triangle",
-];
-/// A shape that has ends.
-pub(super) const ROD: &str = "rod";
-/// A shape that has an apex.
-pub(super) const CONE: &str = "cone";
-/// A shape with a base that is not round.
-const PYRAMID: &str = "pyramid";
-/// A shape with three semi-axes.
-const ELLIPSOID: &str = "ellipsoid";
 /// A body without extent.
 const PARTICLE: &str = "particle";
 
@@ -49,11 +25,6 @@ const PARTICLE: &str = "particle";
 pub(super) const RADIUS: &str = "radius";
 
 impl<'a> Builder<'a> {
-    /// Whether a noun is that of a shape with sizes.
-    pub(super) fn is_shape(&self, head: &str) -> bool {
-        SHAPES.contains(&head)
-    }
-
     /// A rigid body has a frame, which no sentence need name: it turns freely.
     pub(super) fn add_frames_of_bodies(&mut self) {
         let particles = self.particles();
@@ -149,14 +120,11 @@ impl<'a> Builder<'a> {
         if self.is_made_otherwise(body) {
             return None;
         }
-        if SIDED.contains(&what.head) {
-            return self.sided_body(body, what, declaration);
-        }
-        if what.head == ELLIPSOID {
-            return self.ellipsoid_body(body, what, declaration);
-        }
-        if what.head == PYRAMID {
-            return self.pyramid_body(body, what, declaration);
+        match way_told(what.head) {
+            Told::Sides => return self.sided_body(body, what, declaration),
+            Told::SemiAxes => return self.ellipsoid_body(body, what, declaration),
+            Told::Base => return self.pyramid_body(body, what, declaration),
+            Told::InOne => {}
         }
         self.lay_by_points(body)?;
         let shape = mechanics::Shape::by_name(what.head)?;
@@ -169,7 +137,8 @@ impl<'a> Builder<'a> {
         let mass = self.reading.system.bodies[body].mass.clone();
         let pi = self.system().atoms.pi();
         let tensor = shape.moments(&mass, &sizes, &pi)?.central_inertia();
-        let round_all_over = matches!(shape.name(), "sphere" | "shell" | "cube");
+        let round_all_over =
+            is_round(&tensor) && tensor[(0, 0)] == tensor[(2, 2)] && !has(shape.name(), Trait::Rim);
         let line = self.reading.system.bodies[body].line.map(|line| line.axis);
         let told = line.or_else(|| self.told_axis_of_shape(body));
         if let (None, Some(along)) = (told, self.said_direction_of_shape(body)) {
@@ -185,7 +154,7 @@ impl<'a> Builder<'a> {
             },
             None => 2,
         };
-        self.reading.system.bodies[body].round = roundness(shape.name(), &sizes, axis);
+        self.reading.system.bodies[body].round = roundness(shape, &sizes, axis);
         let tensor = self.tensor_on_work_frame(body, &tensor, axis)?;
         self.reading.system.bodies[body].inertia = Some(tensor);
         Some(())
@@ -212,7 +181,8 @@ impl<'a> Builder<'a> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<(Fraction, u8)> {
-        if SIDED.contains(&what.head) {
+        let told = way_told(what.head);
+        if told == Told::Sides {
             let sides = self.sides_in_order(body, what, declaration)?;
             let long = sides.into_iter().filter(|side| !side.is_zero());
             let (mut content, mut dimension) = (Fraction::one(), 0);
@@ -223,7 +193,7 @@ impl<'a> Builder<'a> {
             return Some((content, dimension));
         }
         let shape = mechanics::Shape::by_name(what.head)?;
-        if what.head == PYRAMID {
+        if told == Told::Base {
             let content = self.content_of_pyramid(body, what, declaration)?;
             return Some((content, shape.dimension()));
         }
@@ -255,27 +225,33 @@ impl<'a> Builder<'a> {
         subjects.filter_map(|term| self.body(term))
     }
 
+    /// Whether a sentence says that a body is a rod, or else slender.
     pub(super) fn is_rod(&self, body: BodyId) -> bool {
-        self.said_to_be(body, &[ROD]).is_some()
+        self.is_shaped(body, is_rod)
     }
 
     pub(super) fn is_cone(&self, body: BodyId) -> bool {
-        self.said_to_be(body, &[CONE]).is_some()
+        self.is_shaped(body, is_conical)
     }
 
     /// Whether a sentence says that a body is a disc or a ring, which lies in a plane.
     pub(super) fn is_flat(&self, body: BodyId) -> bool {
-        self.said_to_be(body, &["disc", "ring"]).is_some()
+        self.is_shaped(body, is_round_and_flat)
     }
 
-    /// The sentence that says that a body has one of these shapes.
+    /// Whether a sentence says that a body has such a shape.
+    pub(super) fn is_shaped(&self, body: BodyId, is: impl Fn(&str) -> bool) -> bool {
+        self.said_to_be(body, is).is_some()
+    }
+
+    /// The sentence that says that a body has such a shape.
     pub(super) fn said_to_be(
         &self,
         body: BodyId,
-        shapes: &[&str],
+        is: impl Fn(&str) -> bool,
     ) -> Option<(&'a NounPhrase, &'a Declaration)> {
         self.declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if shapes.contains(&what.head) => {
+            Statement::Is { subjects, what } if is(what.head) => {
                 let own = subjects.iter().any(|s| self.body(s) == Some(body));
                 own.then_some((what, d))
             }
@@ -358,8 +334,43 @@ fn is_round(tensor: &Matrix) -> bool {
     tensor[(0, 0)] == tensor[(1, 1)] && zero(0, 1) && zero(0, 2) && zero(1, 2)
 }
 
-/// Shapes with a side along each axis of their frame.
-const SIDED: [&str; 2] = ["box", "plate"];
+/// Whether a noun is that of a shape whose tensor is known.
+pub(super) fn is_shape(noun: &str) -> bool {
+    has(noun, Trait::Shape) && mechanics::Shape::by_name(noun).is_some()
+}
+
+/// Whether a noun is that of a shape of which no more than the name is known.
+pub(super) fn is_known_by_name(noun: &str) -> bool {
+    // What is round about a point is a surface, and sentences tell its radius.
+    has(noun, Trait::Shape) && !is_shape(noun) && !has(noun, Trait::Ball)
+}
+
+/// Whether a noun is that of what is long and has two ends.
+pub(super) fn is_rod(noun: &str) -> bool {
+    has(noun, Trait::Slender)
+}
+
+/// How sentences tell the sizes of a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Told {
+    /// Each is one number behind the noun: "a cone of mass `$m$`, radius `$r$` and height `$h$`".
+    InOne,
+    /// Sides along the axes of its frame.
+    Sides,
+    /// Semi-axes along them.
+    SemiAxes,
+    /// The sides of the base along two of them, and a height.
+    Base,
+}
+
+fn way_told(noun: &str) -> Told {
+    match noun {
+        "box" | "plate" => Told::Sides,
+        "ellipsoid" => Told::SemiAxes,
+        "pyramid" => Told::Base,
+        _ => Told::InOne,
+    }
+}
 
 /// Whether all that is said of a shape is known to it: a hollow one is another, and so is one with a size more.
 pub(super) fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bool {
@@ -373,17 +384,36 @@ pub(super) fn is_plain_shape(what: &NounPhrase, sizes: &[mechanics::Size]) -> bo
 }
 
 /// The surface on which a shape rolls, if it is round.
-fn roundness(shape: &str, sizes: &[Fraction], axis: usize) -> Option<Round> {
-    match (shape, sizes) {
-        ("sphere" | "shell", [radius]) => Some(Round::Sphere {
-            radius: radius.clone(),
-        }),
-        ("disc" | "ring", [radius]) | ("cylinder", [radius, _]) | ("tube", [_, radius, _]) => {
-            Some(Round::Rim {
-                radius: radius.clone(),
-                axis,
-            })
-        }
+fn roundness(shape: mechanics::Shape, sizes: &[Fraction], axis: usize) -> Option<Round> {
+    // Of two radii the last one is the outer one.
+    let is_radius = |size: &mechanics::Size| size.name.ends_with(RADIUS);
+    let radius = sizes
+        .get(shape.sizes().iter().rposition(is_radius)?)?
+        .clone();
+    match shape.name() {
+        name if has(name, Trait::Ball) => Some(Round::Sphere { radius }),
+        name if has(name, Trait::Rim) => Some(Round::Rim { radius, axis }),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::language::traits::with;
+
+    #[test]
+    fn each_shape_of_the_lexicon_has_its_tensor_in_the_table() {
+        for noun in with(Trait::Shape) {
+            // Halves have a hyphen in words: sentences tell no more of them than their names.
+            let known = mechanics::Shape::by_name(&noun.replace('-', " "));
+            let shape = known.unwrap_or_else(|| panic!("{noun} is not in the table"));
+            let several = shape.sizes().iter().any(|s| s.count > 1 && !s.is_place);
+            let in_one = way_told(noun) == Told::InOne;
+            assert!(
+                !(several && in_one),
+                "no sentence tells the sizes of {noun}"
+            );
+        }
     }
 }

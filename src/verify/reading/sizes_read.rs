@@ -5,6 +5,7 @@ use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot,
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{is_letter, letter_of};
+use crate::verify::reading::shapes_read::is_shape;
 use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
@@ -56,7 +57,7 @@ impl Builder<'_> {
                 (of == body && subjects.len() == 1).then(|| letter.clone())
             }
             // The shape may be told once more, with its sizes.
-            Statement::Is { subjects, what } if self.is_shape(what.head) => {
+            Statement::Is { subjects, what } if is_shape(what.head) => {
                 let own = subjects.iter().any(|term| self.body(term) == Some(body));
                 size_in(what, wanted).filter(|_| own)
             }

@@ -7,6 +7,7 @@ use crate::verify::language::heads::MASS;
 use crate::verify::language::statement::{
     Declaration, Extent, NounPhrase, Slot, Statement, Term, slot,
 };
+use crate::verify::language::traits::{Trait, has, is_cylindrical};
 use crate::verify::model::contact::{Plane, Round};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -15,11 +16,6 @@ use crate::verify::reading::names::name_of;
 use crate::verify::reading::shapes_read::RADIUS;
 use crate::verify::term::letters::Reach;
 use num_traits::Zero;
-
-/// Surfaces that are round about a point.
-const SPHERES: [&str; 3] = ["sphere", "shell", "half-sphere"];
-/// Surfaces that are round about an axis.
-const CYLINDERS: [&str; 2] = ["cylinder", "tube"];
 
 /// What a sentence says of a surface that a frame carries.
 pub(super) struct SurfaceSaid<'a> {
@@ -60,13 +56,13 @@ impl<'a> Builder<'a> {
                 "fixed" => name.as_str(),
                 head => head,
             };
-            let straight = CYLINDERS.contains(&kind);
+            let straight = is_cylindrical(kind);
             let frame = match what.slot(Slot::FixedIn) {
                 Some(frame) => self.frame(frame)?,
                 None if what.is("fixed") => self.reading.system.ground,
                 None => return None,
             };
-            let round = straight || SPHERES.contains(&kind);
+            let round = straight || has(kind, Trait::Ball);
             let massless = what.size(MASS).is_none() && !self.tells_mass(&name);
             (round && massless).then_some(SurfaceSaid {
                 what,

@@ -2,11 +2,11 @@
 
 use crate::verify::language::heads::{AXES, EULER_ANGLES, OF_SYMMETRY, VERTICAL};
 use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::traits::{Trait, has};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::axes_read::Vertical;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{UNIT_VECTOR, name_of};
-use crate::verify::reading::shapes_read::CONE;
 
 /// The axis of its own frame along which a body is symmetric, where nothing else is told of that frame.
 const OWN: usize = 2;
@@ -175,8 +175,8 @@ impl Builder<'_> {
         let own = |of: &Term| {
             let body = self.body(of)?;
             let known = &self.reading.system.bodies[body];
-            let round = self.said_to_be(body, &["disc", "ring", "cylinder", "tube", CONE]);
-            (known.frame == Some(frame) && round.is_some()).then_some(body)
+            let round = self.is_shaped(body, |noun| has(noun, Trait::Round));
+            (known.frame == Some(frame) && round).then_some(body)
         };
         let body = match axis.slots.as_slice() {
             [(Slot::Of, of)] if AXES.contains(&axis.head) => own(of)?,

@@ -4,7 +4,7 @@ use crate::verify::language::statement::{Declaration, Slot, Statement, Term};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
-use crate::verify::reading::shapes_read::SHAPES;
+use crate::verify::reading::shapes_read::is_shape;
 use crate::verify::term::letters::spelled;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -24,7 +24,7 @@ const OF_THINGS: [Slot; 10] = [
 
 impl Builder<'_> {
     /// Says of each sentence of which nothing was made what would help, where that is known.
-    pub(super) fn say_what_unused_want(&mut self, contradictions: &BTreeMap<String, String>) {
+    pub(super) fn say_what_unused_want(&mut self, known: &BTreeMap<String, Wants>) {
         let unused = self.reading.unused.iter();
         let unused: BTreeSet<String> = unused.map(|unused| unused.sentence.clone()).collect();
         if unused.is_empty() {
@@ -44,9 +44,8 @@ impl Builder<'_> {
         });
         let wanted: BTreeMap<&str, Wants> = wanted.collect();
         for unused in &mut self.reading.unused {
-            let otherwise = contradictions.get(&unused.sentence).cloned();
-            let otherwise = otherwise.map(Wants::OneOfTwo);
-            unused.wants = otherwise.or_else(|| wanted.get(unused.sentence.as_str()).cloned());
+            let known = known.get(&unused.sentence).cloned();
+            unused.wants = known.or_else(|| wanted.get(unused.sentence.as_str()).cloned());
         }
     }
 
@@ -111,8 +110,7 @@ impl Builder<'_> {
             return None;
         };
         let body = subjects.first().and_then(|term| self.body(term))?;
-        let shaped =
-            SHAPES.contains(&what.head) && self.reading.system.bodies[body].inertia.is_none();
+        let shaped = is_shape(what.head) && self.reading.system.bodies[body].inertia.is_none();
         shaped.then(|| Wants::Direction(what.head.to_owned()))
     }
 }

@@ -1,20 +1,18 @@
 //! Where wheels touch planes of which no shape is told.
 
 use crate::verify::language::statement::{Declaration, Slot, slot};
+use crate::verify::language::traits::{Trait, has};
 use crate::verify::model::contact::Round;
 use crate::verify::model::system::{BodyId, FrameId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::name_of;
 use crate::verify::reading::shapes_read::RADIUS;
 
-/// What is round about the axis about which it turns, its mass centre in the middle.
-const WHEELS: [&str; 4] = ["wheel", "roller", "drum", "pulley"];
-
 impl Builder<'_> {
     /// A wheel with a radius touches planes with its rim, about the axis about which it turns.
     pub(super) fn round_wheel(&mut self, body: BodyId, declaration: &Declaration) -> Option<()> {
         let whole = &self.reading.system.bodies[body];
-        let wheel = whole.name.split(' ').any(|word| WHEELS.contains(&word));
+        let wheel = whole.name.split(' ').any(|word| has(word, Trait::Wheel));
         if !wheel || whole.round.is_some() || self.is_centre_aside(body) {
             return None;
         }

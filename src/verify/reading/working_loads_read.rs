@@ -6,12 +6,13 @@ use crate::verify::language::heads::{MOMENT, MOTOR_MOMENT, WEIGHT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, Touched,
 };
+use crate::verify::language::traits::is_force;
 use crate::verify::model::loads::{Lasting, Load};
 use crate::verify::model::system::{BodyId, Vector};
 use crate::verify::model::virtual_power::Effort;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::loads_read::{FORCES, letters_of};
+use crate::verify::reading::loads_read::letters_of;
 use crate::verify::reading::names::name_of;
 use crate::verify::reading::reactions_read::same_letter;
 use crate::verify::reading::unused_read::MOVING;
@@ -235,7 +236,7 @@ impl Builder<'_> {
             let told = motors.then(|| self.loads_of_motors(declaration)).flatten();
             return told.or_else(|| self.named_load(load, None));
         };
-        let at = self.point(at).filter(|_| FORCES.contains(&load.head))?;
+        let at = self.point(at).filter(|_| is_force(load.head))?;
         let named = self.loads_at(at, Lasting::Always);
         let carried = |body: &&BodyId| self.reading.system.carries(**body, at);
         if named.is_empty() && bodies.iter().filter(carried).count() > 1 {

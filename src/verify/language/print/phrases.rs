@@ -4,6 +4,7 @@ use super::{listed, ordinal, with_article};
 use crate::verify::language::lexicon::{Class, Entry, Lexicon};
 use crate::verify::language::phrase::NOUNS;
 use crate::verify::language::statement::{NounPhrase, Slot, Term};
+use crate::verify::language::traits::Trait;
 
 /// Adjectives that count.
 const COUNTS: [&str; 5] = ["two", "three", "four", "five", "six"];
@@ -102,7 +103,8 @@ impl Printer<'_> {
         if class == Some(Class::Adjective) || phrase.is("any") {
             return bare;
         }
-        let one = entry.is_some_and(|entry| entry.one) || class == Some(Class::Thing);
+        let one =
+            entry.is_some_and(|entry| entry.traits.has(Trait::One)) || class == Some(Class::Thing);
         match (one && !phrase.is("only"), many) {
             (true, true) => bare,
             (true, false) => with_article(&bare),
