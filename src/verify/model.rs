@@ -16,6 +16,7 @@ pub(crate) mod partial;
 pub(crate) mod points;
 pub(crate) mod powers;
 pub(crate) mod rates;
+mod roots;
 pub(crate) mod steady;
 pub(crate) mod sums;
 pub(crate) mod swings;

@@ -205,7 +205,7 @@ impl System {
             Turn::Free if self.frames[frame].by_quaternion => {
                 return Some(self.quaternion_of_turn(frame));
             }
-            Turn::Angle(axis, angle) => (super::system::unit(axis), angle),
+            Turn::Angle(axis, angle) => (unit(axis), angle),
             Turn::About(axis, angle) => (*axis, angle),
             _ => return None,
         };

@@ -10,7 +10,9 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::{defined_as, is_written_as};
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{UNIT_VECTOR, is_letter, name_of, opposite, reach_of};
+use crate::verify::reading::names::{
+    UNIT_VECTOR, is_letter, letter_of, name_of, opposite, reach_of,
+};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
@@ -21,19 +23,24 @@ impl Builder<'_> {
     pub(super) fn read_same_vector(
         &mut self,
         subjects: &[Term],
-        same: &Formula,
         what: &NounPhrase,
         declaration: &Declaration,
-    ) -> Option<()> {
-        let vector = self.quantity_of(same, declaration)?;
-        let vector = match what.slot(Slot::On) {
-            Some(on) => Quantity::On(vector.boxed(), self.frame(on)?),
-            None => vector,
+    ) {
+        let Some(vector) = self.same_vector(what, declaration) else {
+            return self.say_unused(declaration);
         };
         for formula in formulas(subjects) {
             self.denote(formula, Meaning::Quantity(vector.clone()), declaration);
         }
-        Some(())
+    }
+
+    fn same_vector(&self, what: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
+        let same = what.slot(Slot::Which).and_then(letter_of)?;
+        let vector = self.quantity_of(same, declaration)?;
+        Some(match what.slot(Slot::On) {
+            Some(on) => Quantity::On(vector.boxed(), self.frame(on)?),
+            None => vector,
+        })
     }
 
     /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.

@@ -22,7 +22,7 @@ use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
     are_products, is_of_products, node_of, reach_of, tells_gravity,
 };
-use crate::verify::reading::operators_read::{bracketed, reads_derivative};
+use crate::verify::reading::operators_read::reads_derivative;
 use crate::verify::reading::order::{BEFORE_LOADS, in_order};
 use crate::verify::reading::orders_read::REMAINDER;
 use crate::verify::reading::oscillations_read::{ANGULAR_FREQUENCY, EIGENVALUE, FREQUENCY, PERIOD};
@@ -177,9 +177,7 @@ impl Builder<'_> {
         if is_of_products(what) && formulas(subjects).any(unlabelled) || rests_for_long(what) {
             return self.say_unused(declaration);
         }
-        if let Some((opening, product)) = bracketed(subjects, what) {
-            let products = &mut self.reading.letters.customs.products;
-            products.in_brackets.insert(opening, product);
+        if self.read_product_in_brackets(subjects, what) {
             return;
         }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);
@@ -191,6 +189,9 @@ impl Builder<'_> {
             PRODUCTS | OTHER_PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
             _ if tells_gravity(what) => self.read_gravity(subjects, what, declaration),
+            "vector" if what.slot(Slot::Which).is_some() => {
+                self.read_same_vector(subjects, what, declaration)
+            }
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
             "scalar" | "angle" if what.slots.is_empty() && !what.is("small") => {

@@ -27,6 +27,18 @@ fn ends_with_star(written: &str) -> bool {
 }
 
 impl Builder<'_> {
+    /// Whether a sentence says which product two vectors in brackets are.
+    pub(super) fn read_product_in_brackets(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+    ) -> bool {
+        let told = bracketed(subjects, what);
+        let products = &mut self.reading.letters.customs.products;
+        products.in_brackets.extend(told);
+        told.is_some()
+    }
+
     /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".
     pub(super) fn read_operator_rule(
         &mut self,
@@ -272,7 +284,7 @@ fn label_of_rate(written: &str) -> Option<String> {
 }
 
 /// "`[a, b]` is the cross product of `a` and `b`": how the brackets open, and the product.
-pub(super) fn bracketed(subjects: &[Term], what: &NounPhrase) -> Option<(char, BracketProduct)> {
+fn bracketed(subjects: &[Term], what: &NounPhrase) -> Option<(char, BracketProduct)> {
     let product = match what.head {
         CROSS_PRODUCT => BracketProduct::Cross,
         DOT_PRODUCT => BracketProduct::Dot,

@@ -71,10 +71,6 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        if let Some(Term::Formula(same)) = what.slot(Slot::Which) {
-            let read = self.read_same_vector(subjects, same, what, declaration);
-            return read.unwrap_or_else(|| self.say_unused(declaration));
-        }
         let carried = what.slot(Slot::FixedIn).and_then(|term| self.frame(term));
         if self.names_known_axis(subjects, what) {
             return;

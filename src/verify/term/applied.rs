@@ -32,11 +32,9 @@ impl Lowering<'_> {
             }
             return self.applied(operator, value);
         }
-        if let Some(product) = self.times_bracketed(head, arguments) {
-            return product;
-        }
-        if let Some(change) = self.change_of_brackets(head, arguments) {
-            return change;
+        let product = self.times_bracketed(head, arguments);
+        if let Some(value) = product.or_else(|| self.change_of_brackets(head, arguments)) {
+            return value;
         }
         if let Some(sum) = sum_of_calls(head, arguments) {
             return self.value(&sum);
