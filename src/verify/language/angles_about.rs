@@ -2,7 +2,7 @@
 
 use super::heads::MASS_CENTRE;
 use super::reader::formula;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::notation::Macros;
 use std::collections::BTreeMap;
 
@@ -71,11 +71,11 @@ fn placed(
 fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool {
     let holds = |declaration: &Declaration| match &declaration.statement {
         Statement::Is { subjects, what } if subjects.contains(point) => {
-            let slot = match what.head {
+            let holder = match what.head {
                 MASS_CENTRE => Slot::Of,
                 _ => Slot::FixedIn,
             };
-            what.all(slot).cloned().collect()
+            what.all(holder).cloned().collect()
         }
         _ => vec![],
     };
@@ -85,9 +85,18 @@ fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool 
         .filter_map(|d| d.statement.does("turn"))
         .filter(|(subjects, _)| subjects.iter().any(|turns| bodies.contains(turns)));
     let mut axes = turning
-        .map(|(_, slots)| slots.iter().find(|(slot, _)| *slot == Slot::About))
+        .map(|(_, slots)| slot(slots, Slot::About))
         .peekable();
-    axes.peek().is_some() && axes.all(|about| about.is_some_and(|(_, about)| about == axis))
+    let along = |about: &Term| direction_of(about) == axis;
+    axes.peek().is_some() && axes.all(|about| about.is_some_and(along))
+}
+
+/// "the axis through O along z" as its direction.
+fn direction_of(about: &Term) -> &Term {
+    match about {
+        Term::Phrase(axis) if axis.head == "axis" => axis.slot(Slot::Along).unwrap_or(about),
+        _ => about,
+    }
 }
 
 /// How many sentences tell an angle to a vector, or between it and something else.

@@ -49,7 +49,7 @@ impl Builder<'_> {
             }
             let text = &formula.source;
             let entry = |place: usize| {
-                let key = Key::of_number(&format!("({text})_{place}"));
+                let key = Key::of_number(format!("({text})_{place}"));
                 fraction(
                     self.system()
                         .atoms

@@ -105,10 +105,21 @@ impl Lowering<'_> {
                     kind: Kind::Symbol(place),
                     ..
                 },
-            ] => place.style.vector,
+            ] => place.style.vector && arguments.iter().all(|a| self.is_position(a)),
             _ => symbols && arguments.len() > 1,
         };
         density && place
+    }
+
+    /// Whether a letter is told to be the position of something.
+    fn is_position(&self, letter: &Node) -> bool {
+        let (exact, loose) = (spelled(letter), loosely(letter));
+        let told = self.letters.find(&exact, &loose, self.at, 0);
+        told.is_some_and(|told| match &told.meaning {
+            Meaning::Quantity(Quantity::On(of, _)) => matches!(**of, Quantity::Position { .. }),
+            Meaning::Quantity(of) => matches!(of, Quantity::Position { .. }),
+            _ => false,
+        })
     }
 }
 

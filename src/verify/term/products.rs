@@ -141,7 +141,7 @@ impl Lowering<'_> {
             return Some((2, Ok(matrix)));
         }
         let differential = run.len() > 1 && self.is_differential(run[0]);
-        differential.then(|| (2, self.differential(run[1])))
+        differential.then(|| (2, self.differential(run[1], run.len() == 2)))
     }
 
     /// Factors side by side. Matrices act on what stands right of them, so the product is taken from the right.
@@ -310,8 +310,8 @@ impl Lowering<'_> {
                 .is_none()
     }
 
-    /// dx is the rate of x times dt.
-    fn differential(&mut self, of: &Node) -> Valued {
+    /// dx is the rate of x times dt. Before further factors the d of what does not change is rather a letter of its own.
+    fn differential(&mut self, of: &Node, last: bool) -> Valued {
         let key = Key::new("dt");
         let dt = self
             .system
@@ -319,10 +319,11 @@ impl Lowering<'_> {
             .variable(key, Place::Rate, Motion::Constant);
         let value = self.value(of)?;
         let ground = self.system.ground;
-        Ok(self
-            .system
-            .rate_of_value(&value, ground)?
-            .scaled(&fraction(dt)))
+        let rate = self.system.rate_of_value(&value, ground)?;
+        match rate.is_zero() && !last {
+            true => beyond("the differential of a constant before other factors"),
+            false => Ok(rate.scaled(&fraction(dt))),
+        }
     }
 
     /// Letters side by side that have a meaning as a whole, from the beginning of a run.

@@ -236,3 +236,27 @@ $$ \frac13=\frac14 $$
 ";
     assert_eq!(judged(sentences, text), "ur");
 }
+
+#[test]
+fn angles_about_the_cross_product_of_two_axes() {
+    let sentences = "\
+N is an inertial frame.
+$x$ and $y$ are the first two axes of N.
+$y$ is the upward vertical.
+$\\mathbf{i}$ is the unit vector along $x$.
+$\\mathbf{j}$ is the unit vector along $y$.
+P is a point fixed in N and in the pendulum.
+G is the mass centre of the pendulum.
+The pendulum turns relative to N about the axis through P along $\\mathbf{i}\\times\\mathbf{j}$.
+$\\mathbf{R}$ is the position of G from P.
+$R$ is the magnitude of $\\mathbf{R}$.
+$\\theta$ is the angle from $-\\mathbf{j}$ to $\\mathbf{R}$ about $\\mathbf{i}\\times\\mathbf{j}$.
+$a$ and $b$ are the components of $\\mathbf{R}$ on N.
+";
+    let text = r"
+$$ a=R\sin\theta $$
+$$ b=-R\cos\theta $$
+$$ a=-R\sin\theta $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}

@@ -65,6 +65,23 @@ $$ K_{13} = -4\mu\,d\,e $$
 }
 
 #[test]
+fn a_letter_d_before_a_constant_and_other_factors_is_no_differential() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+$\\omega$ is the angular velocity of B relative to N in components on B.
+$J$ is the inertia tensor of the body about G in components on B.
+$L$ is the angular momentum of the body about G relative to N in components on B.
+";
+    let text = r"
+$$ L=J\omega $$
+$$ L=J\omega+\omega\times(dJ\omega) $$
+";
+    assert_eq!(judged(sentences, text), "pu");
+}
+
+#[test]
 fn a_line_that_is_false_of_axes_does_not_define_their_names() {
     let said = r"N is an inertial frame.
 n, w, u are the axes of N.

@@ -67,6 +67,8 @@ $$ J\ddot\theta=M $$
         "The gribble at O and its weight are the only loads on the body with its axle.",
         "The hinges exert no force on the body.",
         "When the wind blows the body turns on and on.",
+        "The foot of the body lies on the side of positive x.",
+        "A is the frame before the third of these turns.",
     ] {
         assert_eq!(with(fact), "p", "{fact}");
     }
