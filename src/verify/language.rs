@@ -70,6 +70,7 @@ mod kinds;
 mod laid_by_angles;
 mod laid_rods;
 mod letters_at_instants;
+mod level_axes;
 mod lexicon;
 mod listed;
 mod listed_between;

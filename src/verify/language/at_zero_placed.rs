@@ -109,9 +109,14 @@ fn is_fixed(point: &Term, things: &[&Term], all: &[Declaration]) -> bool {
 
 /// The number of the axis of a frame along which something is, and whether it goes against that.
 fn axis_along(along: &Term, base: &Term, all: &[Declaration]) -> Option<(usize, bool)> {
-    let own = |along: &Term| {
-        all.iter()
-            .find_map(|d| number_of(&d.statement, along, base))
+    let own = |along: &Term| match along {
+        Term::Phrase(axis) if axis.slot(Slot::Of) == Some(base) => match axis.slot(Slot::Which)? {
+            Term::Numbers(numbers) if axis.head == "axis" => numbers.first().copied(),
+            _ => None,
+        },
+        along => all
+            .iter()
+            .find_map(|d| number_of(&d.statement, along, base)),
     };
     let Term::Phrase(phrase) = along else {
         return Some((own(along)?, false));

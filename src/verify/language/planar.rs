@@ -115,7 +115,7 @@ fn only_base(motions: &[Motion]) -> Option<Option<Term>> {
 }
 
 /// Whether the frame of the plane has axes with names: in which of their planes it is is not said then.
-fn names_axes(declarations: &[Declaration], base: Option<&Term>) -> bool {
+pub(super) fn names_axes(declarations: &[Declaration], base: Option<&Term>) -> bool {
     declarations.iter().any(|d| match &d.statement {
         Statement::Is { what, .. } if matches!(what.head, "axes" | "axis") => what
             .all(Slot::Of)

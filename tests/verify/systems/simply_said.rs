@@ -260,3 +260,29 @@ $$ a=-R\sin\theta $$
 ";
     assert_eq!(judged(sentences, text), "ppr");
 }
+
+#[test]
+fn a_pendulum_that_hangs_below_its_pivot_where_its_angle_is_zero() {
+    let sentences = "\
+N is an inertial frame.
+S is a frame fixed in the arm.
+n is a horizontal unit vector fixed in N.
+O is a point fixed in N and in S.
+G is the mass centre of the arm.
+G lies at the distance $l$ from O.
+S turns relative to N about the axis through O along n by the angle $\\theta$.
+At $\\theta=0$ G lies vertically below O.
+$m$ is the mass of the arm.
+$J$ is the moment of inertia of the arm about the axis through O along n.
+$g$ is the acceleration of gravity.
+$V$ is the potential energy of the arm, which is zero at O.
+The weight and the force at O are the only loads on the arm.
+";
+    let text = r"
+$$ V=-mgl\cos\theta $$
+$$ J\ddot\theta=-mgl\sin\theta $$
+$$ V=mgl\cos\theta $$
+$$ J\ddot\theta=mgl\sin\theta $$
+";
+    assert_eq!(judged(sentences, text), "pprr");
+}
