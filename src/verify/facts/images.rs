@@ -35,9 +35,12 @@ impl Facts {
         variable: Variable,
         depth: usize,
     ) -> Result<(), OutOfBudget> {
+        // A part of an angle that comes up later tells its sine and cosine.
+        let late = atoms.atom(variable).law.is_some() && !self.is_untold(atoms, variable);
         match self.images.get(&variable) {
             None => {}
             Some(Image::TooLarge) => return Err(OutOfBudget),
+            Some(Image::Free) if late && !self.turned.contains(&variable) => self.images.clear(),
             Some(Image::Free | Image::Known(_)) => return Ok(()),
         }
         if depth > 60 {

@@ -4,7 +4,7 @@
 use super::family_places::{Family, Of, families, family_noun, family_of, is_place, numbered};
 use super::heads::{ANGULAR_VELOCITY, FORCE, MOMENT};
 use super::reader::formula;
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::told_loads::{LoadsOfFamily, function_of_time, placed_forces, put_loads};
 use crate::notation::Macros;
 
@@ -38,7 +38,14 @@ pub(crate) fn tell_loads_of_families(declarations: &mut Vec<Declaration>, macros
     let mut spent = vec![];
     let mut said = vec![];
     for family in &families {
-        for (at, declaration) in declarations.iter().enumerate() {
+        if declarations
+            .iter()
+            .any(|d| tells_otherwise(&d.statement, family))
+        {
+            continue;
+        }
+        let whole = declarations.iter().enumerate();
+        for (at, declaration) in whole.filter(|(_, d)| d.extent == Extent::Document) {
             let Some((sized, noun)) = sized(&declaration.statement, family, declarations, macros)
             else {
                 continue;
@@ -203,6 +210,15 @@ fn of_family(noun: &NounPhrase, family: &Family) -> Option<Of> {
     own(Slot::Of).or_else(|| own(Slot::Upon))
 }
 
+/// Whether a load is that of each of a family.
+fn of_all(noun: &NounPhrase, family: &Family) -> bool {
+    match of_family(noun, family) {
+        Some(Of::All) => true,
+        Some(Of::One(index)) => !family.labels.contains(&index),
+        None => false,
+    }
+}
+
 /// What exerts the loads on each of a family: "the forces of the air on the rotors".
 fn agent(noun: &NounPhrase, family: &Family) -> Option<Term> {
     let mut others = noun
@@ -223,7 +239,15 @@ fn letters(subjects: &[Term], of: &Of, family: &Family, macros: &Macros) -> Opti
         .collect();
     match (all?.as_slice(), of) {
         (all, Of::All) if all.len() == count => Some(all.to_vec()),
+        // Only as a label a letter is an index: else it may be a coefficient.
         ([one], Of::All) => ["i", "j", "k", "n"].iter().find_map(|index| {
+            let label = [format!("_{index}"), format!("_{{{index}}}")];
+            if !label
+                .iter()
+                .any(|label| one.source.contains(label.as_str()))
+            {
+                return None;
+            }
             let labels = family.labels.iter();
             let each = labels.map(|label| numbered(one, index, label, macros));
             each.collect()
@@ -245,7 +269,7 @@ fn way(family: &Family, moments: bool, declarations: &[Declaration]) -> Option<S
         let [Term::Phrase(noun)] = subjects else {
             return None;
         };
-        let own = is_load(noun)? == moments && of_family(noun, family).is_some();
+        let own = is_load(noun)? == moments && of_all(noun, family);
         let along = slot(slots, Slot::Along).map(|axis| (axis, false));
         let against = slot(slots, Slot::With).map(|axis| (axis, true));
         let (axis, against) = along.or(against).filter(|_| own)?;
@@ -259,12 +283,12 @@ fn way(family: &Family, moments: bool, declarations: &[Declaration]) -> Option<S
 /// Whether all that a sentence tells is where the loads of a family act and along what.
 fn tells_way(statement: &Statement, family: &Family) -> bool {
     let place = |at: &Term| match at {
-        Term::Phrase(place) => is_place(place) || place.head == "point",
+        Term::Phrase(place) => is_place(place),
         _ => false,
     };
     match statement.does("point").or(statement.does("act")) {
         Some(([Term::Phrase(noun)], slots)) => {
-            let own = is_load(noun).is_some() && of_family(noun, family).is_some();
+            let own = is_load(noun).is_some() && of_all(noun, family);
             let letterless = noun.slot(Slot::Which).is_none();
             own && letterless
                 && slots.iter().all(|(slot, term)| match slot {
@@ -279,6 +303,19 @@ fn tells_way(statement: &Statement, family: &Family) -> bool {
             }
             _ => false,
         },
+    }
+}
+
+/// Whether a sentence tells where loads act or along what in a way that is not worked with: of one of them, or at a place of its
+/// own.
+fn tells_otherwise(statement: &Statement, family: &Family) -> bool {
+    match statement.does("point").or(statement.does("act")) {
+        Some(([Term::Phrase(noun)], _)) => {
+            let letterless = noun.slot(Slot::Which).is_none() && is_load(noun).is_some();
+            let own = of_family(noun, family).is_some() || noun.slots.is_empty();
+            letterless && own && !tells_way(statement, family)
+        }
+        _ => false,
     }
 }
 

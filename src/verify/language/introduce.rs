@@ -12,11 +12,17 @@ pub(crate) fn introduce(declarations: &mut Vec<Declaration>) {
     let shown = frames_shown(declarations);
     let fixed: BTreeSet<String> = declarations.iter().filter_map(fixed_thing).collect();
     let massive: BTreeSet<String> = declarations.iter().flat_map(massive_things).collect();
+    let moves_as_a_point = |name: &String| {
+        let mut all = declarations.iter();
+        all.all(|d| may_be_of_a_particle(&d.statement, name))
+    };
+    let massive: BTreeSet<String> = massive.into_iter().filter(moves_as_a_point).collect();
+    let told_particle = declarations.iter().any(|d| tells_a_particle(&d.statement));
     let mut added = vec![];
     let own = declarations
         .iter()
         .find(|d| d.extent == Extent::Document && speaks_of_particle(&d.statement));
-    if let Some(own) = own.filter(|_| told.insert(PARTICLE.to_owned())) {
+    if let Some(own) = own.filter(|_| !told_particle && told.insert(PARTICLE.to_owned())) {
         let what = NounPhrase::new(PARTICLE, vec![]);
         added.push(own.saying(Statement::one_is(Term::Name(PARTICLE.to_owned()), what)));
     }
@@ -93,12 +99,52 @@ fn told_in(declaration: &Declaration) -> Vec<String> {
         .collect()
 }
 
+/// What a particle has and is.
+const OF_PARTICLES: [&str; 12] = [
+    MASS,
+    POSITION,
+    VELOCITY,
+    ACCELERATION,
+    "momentum",
+    "angular momentum",
+    "kinetic energy",
+    "force",
+    "weight",
+    "moment",
+    "distance",
+    "component",
+];
+
 /// The noun of a body without extent: "the particle" is one, if no sentence says otherwise.
 const PARTICLE: &str = "particle";
 
 fn speaks_of_particle(statement: &Statement) -> bool {
     let mut terms = statement.terms().into_iter();
     terms.any(|term| matches!(term, Term::Name(name) if name == PARTICLE))
+}
+
+/// Whether a sentence says that something is a particle, or counts particles.
+fn tells_a_particle(statement: &Statement) -> bool {
+    let told = matches!(statement, Statement::Is { what, .. } if what.head == PARTICLE);
+    let counted = |term: &Term| match term {
+        Term::Member { family, .. } => family == PARTICLE,
+        Term::Name(name) => name == "particles",
+        _ => false,
+    };
+    told || statement.terms().into_iter().any(counted)
+}
+
+/// Whether what a sentence says of a name may be said of a particle: one that turns or has an inertia is none.
+fn may_be_of_a_particle(statement: &Statement, of: &str) -> bool {
+    let own = |term: &&Term| name(term).is_some_and(|name| name == of);
+    if !statement.terms().iter().any(own) {
+        return true;
+    }
+    match statement {
+        Statement::Is { what, .. } => OF_PARTICLES.contains(&what.head),
+        Statement::Does { verb, .. } => *verb != "turn",
+        _ => true,
+    }
 }
 
 /// The names of what has a mass: a point that has one is a particle.

@@ -16,6 +16,22 @@ struct Below {
     zero: Formula,
 }
 
+/// "z points down", of an axis by its name.
+pub(super) fn tell_axes_that_point_down(declarations: &mut [Declaration]) {
+    let axes = declarations.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "axes" => subjects.clone(),
+        _ => vec![],
+    });
+    let axes: Vec<Term> = axes.collect();
+    for declaration in declarations {
+        if let Some(([axis @ Term::Name(_)], [])) = declaration.statement.does("hang")
+            && axes.contains(axis)
+        {
+            declaration.statement = Statement::one_is(axis.clone(), vertical("downward"));
+        }
+    }
+}
+
 /// Places each such point along the vertical, and names the axes of the frame by it.
 pub(super) fn name_level_axes(declarations: &mut Vec<Declaration>) {
     let all = declarations.iter().enumerate();

@@ -30,7 +30,7 @@ use super::kinds::{
 };
 use super::laid_by_angles::lay_by_angles;
 use super::letters_at_instants::tell_letters_at_instants;
-use super::level_axes::name_level_axes;
+use super::level_axes::{name_level_axes, tell_axes_that_point_down};
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};
 use super::listed_loads::act_as_listed;
@@ -200,6 +200,7 @@ fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
 
 /// Where bodies end, and where they are joined.
 fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    tell_axes_that_point_down(declarations);
     name_level_axes(declarations);
     tell_axes_at_zero(declarations);
     place_at_zero(declarations);

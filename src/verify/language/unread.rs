@@ -10,7 +10,7 @@ use super::reader::{ARTICLES, COPULAS, Read, Reader};
 use super::sign::LABELS;
 use super::statement::{Extent, Formula, Sign, Touched};
 use super::times::begins_with_time;
-use super::unsaying::{DENYING, RETRACTING, retracts};
+use super::unsaying::{DENYING, RETRACTING, may_be_rule, retracts};
 use super::words::{Kind, Token};
 use crate::notation::document::Row;
 
@@ -90,7 +90,9 @@ impl Reader<'_> {
         let line = |pair: &[Token]| {
             LINES.contains(&pair[0].lower.as_str()) && pair[1].kind == Kind::Number
         };
-        let lines = self.tokens.windows(2).position(line).filter(|_| about)?;
+        let rule = self.tokens.iter().any(|t| may_be_rule(&t.lower));
+        let lines = self.tokens.windows(2).position(line);
+        let lines = lines.filter(|_| about && !rule)?;
         self.at = lines;
         let found = self.spoken_of().ok().flatten();
         self.at = 0;

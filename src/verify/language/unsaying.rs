@@ -128,3 +128,9 @@ impl Reader<'_> {
 pub(super) fn retracts(word: &str) -> bool {
     RETRACTING.contains(&word) || RULING.contains(&word)
 }
+
+/// Whether a word may be of a rule for other lines than those of which a sentence speaks.
+pub(super) fn may_be_rule(word: &str) -> bool {
+    let says = ["that", "means", "mean", "says", "say", "where", "whose"];
+    RULING.contains(&word) || OF_READING.contains(&word) || says.contains(&word)
+}

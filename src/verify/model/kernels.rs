@@ -163,6 +163,7 @@ impl Atoms {
             Some((parts, (fraction(cosine?), fraction(sine?))))
         });
         let Some((parts, kernel)) = part else { return };
+        self.changes.note_all();
         let (of_cosine, of_sine) = of_multiple(parts, &kernel);
         for (letter, value) in [(c, of_cosine), (s, of_sine)] {
             self.atom_mut(letter).law = Some(Law {
@@ -183,6 +184,7 @@ impl Atoms {
     }
 
     fn tell_by_parts(&mut self, unit: &Fraction, q: i64, kernel: &(Fraction, Fraction)) {
+        self.changes.note_all();
         for whole_part in 1..q {
             if q % whole_part != 0 {
                 continue;

@@ -3,13 +3,16 @@
 use crate::verify::language::centres::speaks_of_centre;
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
 use crate::verify::language::heads::VERTICALLY_ABOVE;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use crate::verify::language::statement::{
+    Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
+};
 use crate::verify::model::contact::{Contact, Plane};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{name_of, told};
+use crate::verify::reading::names::{letter_of, name_of, node_of, nodes_of, told};
 use crate::verify::reading::surface_read::surface_and_side;
 use crate::verify::reading::unused_read::MOVING;
+use crate::verify::term::letters::{letter_names, spelled};
 use crate::verify::term::quantity::Spot;
 
 /// Quantities that only what moves has.
@@ -166,11 +169,8 @@ impl Builder<'_> {
         let placed = below.map(|way| (centre, way));
         let placed = placed.or_else(|| self.placed_from_contact(&name));
         let placed = placed.or_else(|| self.height_above_contact(&name, &plane.normal));
-        if placed.is_none() {
-            // Of a body of any form nothing tells how its point of contact moves.
-            self.say_unused(declaration);
-        }
-        let point = self.system().add_point(&name, placed, Vec::new());
+        // Of a body of any form nothing tells how its point of contact moves.
+        let point = self.system().add_point(&name, Some(placed?), Vec::new());
         self.points.insert(name, point);
         self.system().contacts.push(Contact {
             body,
@@ -210,8 +210,14 @@ impl Builder<'_> {
             let here = name_of(above).as_deref() == Some(name);
             Some((self.point(other).filter(|_| here)?, height, d))
         })?;
+        let letter = letter_of(height)?;
+        let changes = declarations
+            .iter()
+            .any(|d| d.line != declaration.line && speaks_of(d, letter));
         let height = self.scalar_term(height, declaration)?;
-        self.make_constant(&height);
+        if !changes {
+            self.make_constant(&height);
+        }
         Some((other, normal.clone() * -height))
     }
 
@@ -363,6 +369,23 @@ impl Builder<'_> {
         let there = self.reading.system.body_point(body, point)?;
         Some(Spot::Carried(there))
     }
+}
+
+/// Whether a sentence tells of a letter, in a formula or by itself.
+fn speaks_of(declaration: &Declaration, letter: &Formula) -> bool {
+    let Some(letter) = node_of(letter).map(spelled) else {
+        return true;
+    };
+    if matches!(&declaration.statement, Statement::Is { what, .. } if what.head == "constant") {
+        return false;
+    }
+    let holds = match &declaration.statement {
+        Statement::Holds(formula) => Some(formula),
+        _ => None,
+    };
+    let formulas = declaration.statement.formulas().into_iter().chain(holds);
+    let mut nodes = formulas.flat_map(nodes_of);
+    nodes.any(|node| letter_names(node).contains(&letter)) || declaration.is_unread()
 }
 
 /// What lies at a height above what.

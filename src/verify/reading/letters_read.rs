@@ -194,9 +194,7 @@ impl Builder<'_> {
             }
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
             "constant" => self.read_constants(subjects, declaration),
-            "scalar" | "angle" if what.slots.is_empty() && !what.is("small") => {
-                self.read_scalars(subjects, declaration);
-            }
+            "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
             QUATERNION if is_free_quaternion(what) => {

@@ -11,7 +11,7 @@ use crate::verify::language::statement::{
     Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{name_of, node_of, reach_of};
+use crate::verify::reading::names::{letter_of, name_of, node_of, reach_of};
 use crate::verify::term::customs::BracketProduct;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, LabelRule, Mark, MarkRule, Reach, spelled};
@@ -293,7 +293,17 @@ fn bracketed(subjects: &[Term], what: &NounPhrase) -> Option<(char, BracketProdu
     let [Term::Formula(formula)] = subjects else {
         return None;
     };
-    let two = matches!(&node_of(formula)?.kind, Kind::Tuple(list) if list.len() == 2);
+    let Kind::Tuple(list) = &node_of(formula)?.kind else {
+        return None;
+    };
+    // Of what stands in the brackets, in the same order.
+    let of: Vec<String> = what
+        .all(Slot::Of)
+        .filter_map(letter_of)
+        .filter_map(node_of)
+        .map(spelled)
+        .collect();
+    let own: Vec<String> = list.iter().map(spelled).collect();
     let opening = formula.source.trim_start().chars().next()?;
-    two.then_some((opening, product))
+    (own.len() == 2 && own == of).then_some((opening, product))
 }

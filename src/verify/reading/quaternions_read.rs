@@ -26,9 +26,11 @@ pub(super) fn layout(slots: &[(Slot, Term)]) -> Option<Layout> {
 
 /// "`$a$` and `$b$` are any quaternions, scalar first": nothing ties them to how something turns.
 pub(super) fn is_free_quaternion(what: &NounPhrase) -> bool {
-    what.slots
-        .iter()
-        .all(|said| layout(std::slice::from_ref(said)).is_some())
+    what.is("any")
+        && what
+            .slots
+            .iter()
+            .all(|said| layout(std::slice::from_ref(said)).is_some())
 }
 
 impl Builder<'_> {
@@ -39,7 +41,15 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        let layout = layout(&what.slots).unwrap_or(self.reading.letters.customs.layout);
+        let told = self.declarations.iter().flat_map(|d| d.statement.slots());
+        let mut layouts: Vec<Layout> = told.filter_map(layout).collect();
+        layouts.dedup();
+        // All quaternions of a text have one layout.
+        if layouts.len() > 1 {
+            return self.say_unused(declaration);
+        }
+        let own = layout(&what.slots);
+        let layout = own.unwrap_or(self.reading.letters.customs.layout);
         self.reading.letters.customs.layout = layout;
         for formula in formulas(subjects) {
             if self.quantity_of(formula, declaration).is_some()

@@ -14,9 +14,10 @@ use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::body_ends::END;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{POTENTIAL, letter_of, name_of};
+use crate::verify::reading::names::{POTENTIAL, letter_of, name_of, node_of, nodes_of};
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::reactions_read::same_letter;
+use crate::verify::term::letters::spelled;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 
@@ -131,6 +132,69 @@ impl<'a> Builder<'a> {
         spring_of(load).is_some_and(ends)
     }
 
+    /// Whether sentences tell of each spring once, of sizes that do not change, and of none between the parts of a whole.
+    fn springs_are_plain(&self) -> bool {
+        let all = self.declarations;
+        let of = |head: &'static str| {
+            all.iter().filter_map(move |d| match &d.statement {
+                Statement::Is { subjects, what } if what.head == head => {
+                    Some((subjects, what.slot(Slot::Of)?))
+                }
+                _ => None,
+            })
+        };
+        let springs: Vec<&Term> = of(END)
+            .map(|(_, of)| of)
+            .filter(|of| is_spring(of))
+            .collect();
+        let once = |spring: &&Term| springs.iter().filter(|other| *other == spring).count() == 1;
+        let sizes: Vec<&Term> = of(STIFFNESS)
+            .chain(of(NATURAL_LENGTH))
+            .flat_map(|(s, _)| s)
+            .collect();
+        let changes = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } => {
+                what.head == "function" && subjects.iter().any(|s| sizes.contains(&s))
+            }
+            Statement::Holds(formula) => {
+                let side = |size: &&Term| letter_of(size).is_some_and(|l| is_side(formula, l));
+                sizes.iter().any(side)
+            }
+            _ => false,
+        };
+        let wholes = all.iter().filter_map(|d| d.statement.does("consist"));
+        let wholes: Vec<&Term> = wholes.flat_map(|(wholes, _)| wholes).collect();
+        let on_whole = |load: &NounPhrase| {
+            let mut on = load.all(Slot::Of).chain(load.all(Slot::Upon));
+            on.any(|body| wholes.contains(&body))
+        };
+        let whole = all.iter().any(|d| match &d.statement {
+            Statement::Premise(load) => on_whole(load),
+            _ => false,
+        });
+        let moving = of(END).any(|(ends, of)| {
+            let at_rest = |end: &Term| {
+                let point = self.point(end);
+                point.is_some_and(|p| !self.reading.system.points[p].fixed_in.is_empty())
+            };
+            is_spring(of) && !ends.iter().any(at_rest)
+        });
+        all.iter().all(is_plain)
+            && springs.iter().all(once)
+            && !all.iter().any(changes)
+            && !(whole && moving)
+    }
+
+    /// Where nothing is known of a spring, what sentences say of it is not worked with.
+    pub(super) fn say_springs_unread(&mut self) {
+        if self.springs_named().is_empty() || self.springs_are_plain() {
+            return;
+        }
+        for declaration in self.declarations.iter().filter(|d| speaks_of_spring(d)) {
+            self.say_unused(declaration);
+        }
+    }
+
     fn size_of_spring(&mut self, spring: &Term, head: &str) -> Option<Fraction> {
         let (subjects, declaration) = self.said_of_spring(spring, head)?;
         let [letter] = subjects.as_slice() else {
@@ -140,7 +204,7 @@ impl<'a> Builder<'a> {
     }
 
     fn spring(&mut self, named: &Term) -> Option<Spring> {
-        if !is_spring(named) || !self.declarations.iter().all(is_plain) {
+        if !is_spring(named) || !self.springs_are_plain() {
             return None;
         }
         let (ends, _) = self.said_of_spring(named, END)?;
@@ -346,4 +410,12 @@ impl Spring {
     fn energy(&self) -> Fraction {
         mechanics::spring_energy(&self.stiffness, &self.natural_length, &self.length)
     }
+}
+
+/// Whether a letter is a side of an equation by itself.
+fn is_side(formula: &Formula, letter: &Formula) -> bool {
+    let Some(letter) = node_of(letter).map(spelled) else {
+        return false;
+    };
+    nodes_of(formula).iter().any(|side| spelled(side) == letter)
 }

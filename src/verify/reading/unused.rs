@@ -16,6 +16,9 @@ use std::sync::Arc;
 /// Letters that mean what they do by custom, where no sentence says otherwise.
 const BY_CUSTOM: [&str; 5] = ["t", "pi", "delta", "epsilon", "varepsilon"];
 
+/// Marks that stand on letters alone.
+const ON_LETTERS: [&str; 7] = ["dot", "two", "tilde", "hat", "wide", "underline", "arrow"];
+
 /// What the parts of an array are called.
 const PARTS: [&str; 3] = ["column", "row", "entry"];
 
@@ -99,7 +102,15 @@ impl Unused {
 
     /// Whether it is a rule for signs and words that formulas carry, and tells nothing of how things are.
     fn is_rule(&self) -> bool {
-        let of_notation = |sign: &Sign| !matches!(sign, Sign::Operator(_));
+        let of_notation = |sign: &Sign| match sign {
+            Sign::Label { .. } | Sign::Custom(_) => true,
+            // Others may be the signs of products.
+            Sign::Mark(mark) => {
+                let mark = mark.split(' ').next().unwrap_or_default();
+                ON_LETTERS.contains(&mark)
+            }
+            Sign::Operator(_) => false,
+        };
         match &self.touches {
             Touches::Signs(signs) => signs.iter().all(of_notation),
             _ => false,

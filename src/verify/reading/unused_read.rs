@@ -64,6 +64,7 @@ impl Builder<'_> {
     /// Verbs and nouns for which the model has no law yet.
     pub(super) fn say_unheard(&mut self) {
         self.say_instants_unheard();
+        self.say_springs_unread();
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does {

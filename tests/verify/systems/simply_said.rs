@@ -186,27 +186,6 @@ $$ v=-R\dot\phi $$
 }
 
 #[test]
-fn a_body_of_any_form_rolls_on_a_plane() {
-    let sentences = "\
-N is an inertial frame.
-B is a frame fixed in the body.
-G is the mass centre of the body.
-The third axis of N is the upward vertical.
-The ground is a horizontal plane fixed in N.
-C is the point where the body touches the ground.
-The body rolls on the ground at C without slipping.
-$\\omega$ is the angular velocity of B relative to N.
-$\\gamma$ is the position of C from G.
-$v$ is the velocity of G relative to N.
-";
-    let text = r"
-$$ v+\omega\times\gamma=0 $$
-$$ v=\omega\times\gamma $$
-";
-    assert_eq!(judged(sentences, text), "pu");
-}
-
-#[test]
 fn the_force_without_the_weight() {
     let sentences = "\
 N is an inertial frame.
