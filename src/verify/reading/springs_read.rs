@@ -21,9 +21,7 @@ use crate::verify::term::letters::spelled;
 use crate::verify::term::quantity::{Quantity, Spot, Whole};
 use crate::verify::term::value::{Basis, Value};
 
-/// What gives back the work that is done on it.
 const SPRING: &str = "spring";
-/// How hard it is to stretch.
 const STIFFNESS: &str = "stiffness";
 /// What is said of a spring that has a stiffness against turning.
 const TWISTING: [&str; 3] = ["torsion", "rotational", "spiral"];
