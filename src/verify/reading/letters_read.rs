@@ -177,7 +177,7 @@ impl Builder<'_> {
         if is_of_products(what) && formulas(subjects).any(unlabelled) || rests_for_long(what) {
             return self.say_unused(declaration);
         }
-        if self.read_product_in_brackets(subjects, what) {
+        if self.read_product_in_brackets(subjects, what, declaration) {
             return;
         }
         let thing = WHOLES.contains(&what.head) || THINGS.contains(&what.head);

@@ -8,10 +8,11 @@ use crate::verify::language::heads::{
     QUATERNION_DOT, QUATERNION_PRODUCT,
 };
 use crate::verify::language::statement::{
-    Declaration, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
+    Declaration, Extent, Formula, NotationMeaning, NounPhrase, Sign, Slot, Statement, Term,
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{letter_of, name_of, node_of, reach_of};
+use crate::verify::reading::unused::Touches;
 use crate::verify::term::customs::BracketProduct;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, LabelRule, Mark, MarkRule, Reach, spelled};
@@ -32,11 +33,36 @@ impl Builder<'_> {
         &mut self,
         subjects: &[Term],
         what: &NounPhrase,
+        declaration: &Declaration,
     ) -> bool {
-        let told = bracketed(subjects, what);
-        let products = &mut self.reading.letters.customs.products;
-        products.in_brackets.extend(told);
-        told.is_some()
+        let product = match what.head {
+            CROSS_PRODUCT => BracketProduct::Cross,
+            DOT_PRODUCT => BracketProduct::Dot,
+            _ => return false,
+        };
+        let Some((opening, list)) = in_brackets(subjects) else {
+            return false;
+        };
+        // Of what stands in the brackets, in the same order.
+        let of = what.all(Slot::Of).filter_map(letter_of).filter_map(node_of);
+        let of: Vec<String> = of.map(spelled).collect();
+        let everywhere = declaration.extent == Extent::Document;
+        match everywhere && of.len() == 2 && of == list {
+            true => {
+                let products = &mut self.reading.letters.customs.products;
+                products.in_brackets.insert(opening, product);
+            }
+            false => {
+                self.say_unused(declaration);
+                // Any letters may stand in such brackets.
+                let sentence = declaration.sentence();
+                let own = self.reading.unused.iter_mut();
+                own.filter(|u| u.sentence == sentence).for_each(|unused| {
+                    (unused.touches, unused.tells) = (Touches::Everything, true);
+                });
+            }
+        }
+        true
     }
 
     /// "`d/dt` is the rate seen from N", "`\omega\times` is the cross-product matrix of `\omega`".
@@ -283,27 +309,14 @@ fn label_of_rate(written: &str) -> Option<String> {
     frame(written).or_else(|| frame(&format!("{written} q")))
 }
 
-/// "`[a, b]` is the cross product of `a` and `b`": how the brackets open, and the product.
-fn bracketed(subjects: &[Term], what: &NounPhrase) -> Option<(char, BracketProduct)> {
-    let product = match what.head {
-        CROSS_PRODUCT => BracketProduct::Cross,
-        DOT_PRODUCT => BracketProduct::Dot,
-        _ => return None,
-    };
+/// How the brackets of a list open, and what stands in them.
+fn in_brackets(subjects: &[Term]) -> Option<(char, Vec<String>)> {
     let [Term::Formula(formula)] = subjects else {
         return None;
     };
     let Kind::Tuple(list) = &node_of(formula)?.kind else {
         return None;
     };
-    // Of what stands in the brackets, in the same order.
-    let of: Vec<String> = what
-        .all(Slot::Of)
-        .filter_map(letter_of)
-        .filter_map(node_of)
-        .map(spelled)
-        .collect();
-    let own: Vec<String> = list.iter().map(spelled).collect();
     let opening = formula.source.trim_start().chars().next()?;
-    (own.len() == 2 && own == of).then_some((opening, product))
+    Some((opening, list.iter().map(spelled).collect()))
 }

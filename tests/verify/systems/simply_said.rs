@@ -265,3 +265,111 @@ $$ J\ddot\theta=mgl\sin\theta $$
 ";
     assert_eq!(judged(sentences, text), "pprr");
 }
+
+#[test]
+fn the_only_particle_is_the_one_that_is_told() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+O is a point fixed in N.
+P is a particle of mass $m$.
+P lies at the distance $s$ from O along x.
+$T$ is the kinetic energy of the particle relative to N.
+";
+    let text = r"
+$$ T=\frac12m\dot s^2 $$
+$$ T=m\dot s^2 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}
+
+#[test]
+fn what_turns_is_no_particle() {
+    let sentences = "\
+N is an inertial frame.
+$m$ is the mass of A.
+$w$ is the angular velocity of A relative to N.
+$v$ is the velocity of A relative to N.
+$T$ is the kinetic energy of A relative to N.
+";
+    let text = r"
+$$ T=\frac12m v\cdot v $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn products_in_brackets_of_other_factors_are_not_worked_with() {
+    let sentences = "\
+N is an inertial frame.
+$c$ and $d$ are vectors fixed in N.
+$[a,b]$ is the cross product of $b$ and $a$.
+";
+    let text = r"
+$$ [c,d]=d\times c $$
+$$ [c,d]=c\times d $$
+";
+    assert_eq!(judged(sentences, text), "uu");
+}
+
+#[test]
+fn where_a_body_of_any_form_touches_moves_on_its_own() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+G is the mass centre of the body.
+The third axis of N is the upward vertical.
+The ground is a horizontal plane fixed in N.
+C is the point where the body touches the ground.
+The body rolls on the ground at C without slipping.
+$\\omega$ is the angular velocity of B relative to N.
+$\\gamma$ is the position of C from G.
+";
+    let text = r"
+$$ \dot\gamma=\omega\times\gamma $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn parts_of_an_angle_that_come_up_later_tell_it() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+B is a frame fixed in the body.
+B turns relative to N about z by the angle $\\theta$.
+";
+    let text = r"
+$$ \sin^2\theta+\cos^2\theta=1 $$
+$$ \cos\theta=2\cos^2\frac\theta2-1 $$
+$$ \cos\theta=2\cos^2\frac\theta2 $$
+";
+    assert_eq!(judged(sentences, text), "ppr");
+}
+
+#[test]
+fn a_vector_that_points_up_is_no_unit_vector() {
+    let sentences = "\
+N is an inertial frame.
+B is a frame fixed in the body.
+$\\omega$ is the angular velocity of B relative to N.
+$\\omega$ points up.
+";
+    let text = r"
+$$ \omega\cdot\omega=1 $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
+
+#[test]
+fn a_rule_that_is_not_worked_with_keeps_its_sign_open() {
+    let sentences = "\
+N is an inertial frame.
+$c$ and $d$ are vectors fixed in N.
+A cross means the tensor product.
+";
+    let text = r"
+$$ c\times d=d\times c $$
+";
+    assert_eq!(judged(sentences, text), "u");
+}
