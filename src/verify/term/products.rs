@@ -321,7 +321,7 @@ impl Lowering<'_> {
         let ground = self.system.ground;
         let rate = self.system.rate_of_value(&value, ground)?;
         match rate.is_zero() && !last {
-            true => beyond("the differential of a constant before other factors"),
+            true => Err(Trouble::Unknown("d".to_owned())),
             false => Ok(rate.scaled(&fraction(dt))),
         }
     }

@@ -1,6 +1,6 @@
 //! What is said in the plainest words: what points down, a particle, other vectors on other axes, products in brackets.
 
-use super::judged;
+use super::{judged, verdicts};
 
 #[test]
 fn bodies_are_told_apart_by_the_word_before_their_noun() {
@@ -358,7 +358,7 @@ $\\omega$ points up.
     let text = r"
 $$ \omega\cdot\omega=1 $$
 ";
-    assert_eq!(judged(sentences, text), "u");
+    assert_eq!(verdicts(sentences, text).0, "u");
 }
 
 #[test]

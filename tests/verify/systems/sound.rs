@@ -261,7 +261,7 @@ $$ \vec v\times\vec v = 0 $$
         // What the letter and its label mean apart is not what both mean.
         ("$\\omega_z$ blorps.", "ppuupp"),
         // A rule for a sign holds what carries it.
-        ("A dot on a vector blorps.", "ppuuup"),
+        ("A dot on a vector blorps.", "pprrup"),
         ("Vectors blorp on every component.", "uuuuuu"),
         (
             "$\\vec u$ and every vector blorp on their components.",

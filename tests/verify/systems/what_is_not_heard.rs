@@ -306,7 +306,7 @@ $$ F = m \dot v $$
 $$ F = 0 $$
 ";
     for said in [
-        "A force with the component $F_B$ along the first axis of N acts at B.",
+        "A force with the whatever $F_B$ along the first axis of N acts at B.",
         "The drag is $-d$ times the whatever of the air.",
         "Between the time $0$ and the time $t_2$ the ball glides somehow.",
         "After the impact the ball does whatever it likes.",
