@@ -129,3 +129,29 @@ $$ f c = a + b $$
 ";
     assert_eq!(judged(sentences, text), "prpprp");
 }
+
+#[test]
+fn what_is_told_of_one_thrust_is_not_told_of_all() {
+    let sentences = "\
+N is an inertial frame.
+D is a frame fixed in the drone.
+C is the mass centre of the drone.
+x, y, z are the axes of D.
+The rotors lie at the distance $b$ from C along x, y, -x and -y in this order.
+$S_i$ is the thrust of rotor $i$ along z.
+The thrusts of the rotors are the only loads on the drone.
+$L$ is the component along x of the total moment on the drone about C.
+";
+    let text = r"
+$$ L=b(S_2-S_4) $$
+";
+    assert_eq!(judged(sentences, text), "p");
+    let other = [sentences, "The thrust of rotor 2 points along $-z$.\n"].concat();
+    assert_eq!(judged(&other, text), "u");
+    // A letter that is no label is no index.
+    let coefficient = sentences.replace(
+        "$S_i$ is the thrust of rotor $i$ along z.",
+        "$k w^2$ is the thrust of each rotor along z.",
+    );
+    assert_eq!(judged(&coefficient, "$$ L=0 $$\n"), "u");
+}

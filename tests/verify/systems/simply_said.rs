@@ -373,3 +373,23 @@ $$ c\times d=d\times c $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn a_unit_quaternion_is_not_any() {
+    let sentences = "\
+$q$ is a unit quaternion, scalar first.
+$a$, $b$, $c$, $d$ are the elements of $q$.
+";
+    assert_eq!(judged(sentences, "$$ a^2+b^2+c^2+d^2=1 $$\n"), "u");
+}
+
+#[test]
+fn quaternions_of_two_layouts_are_not_worked_with() {
+    let sentences = "\
+$q$ is any quaternion, scalar last.
+$p$ is any quaternion, scalar first.
+$a$, $b$, $c$, $d$ are the elements of $q$.
+$s$ is the scalar part of $q$.
+";
+    assert_eq!(judged(sentences, "$$ s=a $$\n"), "u");
+}

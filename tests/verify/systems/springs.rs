@@ -204,3 +204,29 @@ $$ M(\ddot p+\ddot q) = k(q-b) $$
     let alone = said.replace("Lagrangian of the pair", "Lagrangian of A");
     assert_eq!(verdicts(&alone, "$$ L = \\frac12 m\\dot p^2 $$\n").0, "u");
 }
+
+#[test]
+fn nothing_is_known_of_springs_that_change_or_are_told_twice() {
+    let sentences = "\
+N is an inertial frame.
+x, y, z are the axes of N.
+y is the upward vertical.
+$g$ is the acceleration of gravity.
+P is a particle of mass $m$.
+Q is a point fixed in N.
+P lies at the distance $s$ from Q along y.
+$s$ is positive.
+A spring of stiffness $k$ and natural length $b$ joins P to Q.
+The weight and the force of the spring are the only loads on P.
+";
+    let text = r"
+$$ m\ddot s=-mg-k(s-b) $$
+$$ \frac{d}{dt}\left(\frac12m\dot s^2+mgs+\frac12k(s-b)^2\right)=0 $$
+";
+    assert_eq!(judged(sentences, text), "pp");
+    let changing = [sentences, "$k$ is a function of the time.\n"].concat();
+    assert_eq!(judged(&changing, text), "uu");
+    let other = "A spring of stiffness $c$ and natural length $h$ joins P to Q.\n";
+    let twice = [sentences, other].concat();
+    assert_eq!(judged(&twice, text), "uu");
+}
