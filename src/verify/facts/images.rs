@@ -35,12 +35,11 @@ impl Facts {
         variable: Variable,
         depth: usize,
     ) -> Result<(), OutOfBudget> {
-        // A part of an angle that comes up later tells its sine and cosine.
-        let late = atoms.atom(variable).law.is_some() && !self.is_untold(atoms, variable);
         match self.images.get(&variable) {
             None => {}
             Some(Image::TooLarge) => return Err(OutOfBudget),
-            Some(Image::Free) if late && !self.turned.contains(&variable) => self.images.clear(),
+            // A part of an angle that comes up later tells its sine and cosine.
+            Some(Image::Free) if self.is_told_late(atoms, variable) => self.images.clear(),
             Some(Image::Free | Image::Known(_)) => return Ok(()),
         }
         if depth > 60 {
@@ -58,6 +57,12 @@ impl Facts {
         let found = !matches!(image, Image::TooLarge);
         self.images.insert(variable, image);
         found.then_some(()).ok_or(OutOfBudget)
+    }
+
+    /// Whether a variable that was free has a law by now.
+    fn is_told_late(&self, atoms: &Atoms, variable: Variable) -> bool {
+        let law = atoms.atom(variable).law.is_some();
+        law && !self.is_untold(atoms, variable) && !self.turned.contains(&variable)
     }
 
     /// Whether neither a rule nor a law that counts here tells a variable.

@@ -92,7 +92,7 @@ fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool 
 }
 
 /// "the axis through O along z" as its direction.
-fn direction_of(about: &Term) -> &Term {
+pub(super) fn direction_of(about: &Term) -> &Term {
     match about {
         Term::Phrase(axis) if axis.head == "axis" => axis.slot(Slot::Along).unwrap_or(about),
         _ => about,

@@ -68,7 +68,7 @@ fn without_condition(slots: &[(Slot, Term)]) -> (Slots, Slots) {
 }
 
 /// What turns against what by an angle that is zero under a condition.
-fn turn<'d>(statement: &'d Statement, zero: &Formula) -> Option<(&'d Term, &'d Term)> {
+pub(super) fn turn<'d>(statement: &'d Statement, zero: &Formula) -> Option<(&'d Term, &'d Term)> {
     let ([carrier], _) = statement.does("turn")? else {
         return None;
     };

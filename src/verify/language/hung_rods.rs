@@ -3,7 +3,7 @@
 
 use super::at_zero::turns_by;
 use super::heads::{MASS_CENTRE, UNIT_VECTOR, VERTICAL, VERTICALLY_ABOVE};
-use super::planar_axes::axis;
+use super::planar_axes::{axis, vertical};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::traits::{Trait, has};
@@ -54,7 +54,7 @@ fn hung(statement: &Statement, all: &[Declaration], macros: &Macros) -> Option<H
         Statement::Is { subjects, what } if what.head == VERTICAL => Hung {
             rod: subjects.first()?.clone(),
             from: None,
-            towards: vertical("downward"),
+            towards: along_vertical("downward"),
             zero: Some(condition(&what.slots).filter(|_| what.is("downward"))?),
         },
         Statement::Is { subjects, what } if what.head == "angle" => {
@@ -98,7 +98,7 @@ fn hung_by_verb(
         ("hang", None, None) => Some(Hung {
             rod: subject.clone(),
             from,
-            towards: vertical("downward"),
+            towards: along_vertical("downward"),
             zero: Some(zero?),
         }),
         ("point" | "lie", Some(along), None) => {
@@ -113,8 +113,8 @@ fn hung_by_verb(
         }
         ("lie", None, Some(Term::Phrase(place))) => {
             let towards = match place.head {
-                "below" => vertical("downward"),
-                VERTICALLY_ABOVE => vertical("upward"),
+                "below" => along_vertical("downward"),
+                VERTICALLY_ABOVE => along_vertical("upward"),
                 _ => return None,
             };
             let end = place.slot(Slot::Of)?;
@@ -142,10 +142,8 @@ fn without_start(along: &Term) -> (Term, Option<Term>) {
     (along, start)
 }
 
-fn vertical(sense: &'static str) -> Term {
-    let mut vertical = NounPhrase::new(VERTICAL, vec![]);
-    vertical.adjectives.push(sense);
-    Term::Phrase(Box::new(vertical))
+fn along_vertical(sense: &'static str) -> Term {
+    Term::Phrase(Box::new(vertical(sense)))
 }
 
 /// "`$\theta$` is the angle about z from the downward vertical to the rod", of a rod that turns about z by θ.

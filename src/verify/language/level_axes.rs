@@ -1,11 +1,12 @@
 //! "At `$\theta = 0$` G lies below O", of what turns by θ about a horizontal axis while no sentence names axes: the second axis
 //! of the frame is the horizontal one and the third points up, as for all that moves in a vertical plane.
 
-use super::heads::{UNIT_VECTOR, VERTICAL, VERTICALLY_ABOVE};
-use super::inclinations::is_zero_of;
+use super::angles_about::direction_of;
+use super::at_zero_placed::turn;
+use super::heads::{UNIT_VECTOR, VERTICALLY_ABOVE};
 use super::planar::names_axes;
-use super::planar_axes::{ACROSS, UPRIGHT, axis, tells_distance};
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::planar_axes::{ACROSS, UPRIGHT, axis, tells_distance, vertical};
+use super::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 
 /// What is said to be below or above something where an angle is zero.
 struct Below {
@@ -40,7 +41,7 @@ pub(super) fn name_level_axes(declarations: &mut Vec<Declaration>) {
     };
     let turn = declarations
         .iter()
-        .find_map(|d| turn(&d.statement, &below.zero));
+        .find_map(|d| level_turn(&d.statement, &below.zero));
     let Some((about, base)) = turn else { return };
     if names_axes(declarations, Some(&base)) {
         return;
@@ -109,15 +110,10 @@ fn below(at: usize, statement: &Statement) -> Option<Below> {
 }
 
 /// The direction about which something turns by an angle that is zero under a condition, and against what.
-fn turn(statement: &Statement, zero: &Formula) -> Option<(Term, Term)> {
+fn level_turn(statement: &Statement, zero: &Formula) -> Option<(Term, Term)> {
+    let (_, base) = turn(statement, zero)?;
     let (_, slots) = statement.does("turn")?;
-    let letter = super::at_zero::angle_of_turn(slot(slots, Slot::By)?)?;
-    let letter = letter.source.replace(' ', "");
-    let base = slot(slots, Slot::RelativeTo).filter(|_| is_zero_of(zero, &letter))?;
-    let about = match slot(slots, Slot::About)? {
-        Term::Phrase(axis) if axis.head == "axis" => axis.slot(Slot::Along)?,
-        about => about,
-    };
+    let about = direction_of(slot(slots, Slot::About)?);
     Some((about.clone(), base.clone()))
 }
 
@@ -130,10 +126,4 @@ fn is_level(statement: &Statement, vector: &Term) -> bool {
         }
         _ => false,
     }
-}
-
-fn vertical(side: &'static str) -> NounPhrase {
-    let mut vertical = NounPhrase::new(VERTICAL, vec![]);
-    vertical.adjectives.push(side);
-    vertical
 }

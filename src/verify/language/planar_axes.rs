@@ -1,5 +1,6 @@
 //! The axes of what moves in a plane, and how far one point is from another in it.
 
+use super::heads::VERTICAL;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// The axis that is vertical where the angle is zero, from 1.
@@ -15,6 +16,13 @@ pub(super) fn axis(number: usize, of: Option<&Term>) -> Term {
     let of = of.map(|of| (Slot::Of, of.clone()));
     let slots = std::iter::once(which).chain(of).collect();
     Term::Phrase(Box::new(NounPhrase::new("axis", slots)))
+}
+
+/// "the upward vertical", "the downward vertical"
+pub(super) fn vertical(sense: &'static str) -> NounPhrase {
+    let mut vertical = NounPhrase::new(VERTICAL, vec![]);
+    vertical.adjectives.push(sense);
+    vertical
 }
 
 /// The names of the axes of a frame.

@@ -198,11 +198,7 @@ impl Reader<'_> {
         let start = self.at;
         let mut words = self.tokens[start..].iter().map(|t| t.lower.as_str());
         let denies = words.any(|word| DENYING.contains(&word) || retracts(word));
-        let verb = (start..self.tokens.len()).find(|&at| {
-            self.at = at;
-            COPULAS.contains(&self.word()) || self.find(&[Class::Verb]).is_some()
-        });
-        let undergoes = verb.is_some() && COPULAS.contains(&self.word());
+        let undergoes = self.to_first_verb() == Some(true);
         self.at += usize::from(undergoes);
         let does = match undergoes {
             true => self.find(&[Class::Passive, Class::Preposition]),
@@ -267,30 +263,38 @@ impl Reader<'_> {
     /// to what is known; an adjective, and what a thing has, may take back what is assumed of all things of its kind.
     fn says_what_is_known(&mut self) -> bool {
         let start = self.at;
-        let verb = (start..self.tokens.len()).find(|&at| {
+        let says = match self.to_first_verb() {
+            Some(true) => {
+                self.at += 1;
+                let article = self.take_any(&ARTICLES);
+                self.skip_adjectives();
+                let named = self.find(&[Class::Thing, Class::Place, Class::Noun]);
+                let placed = self.find(&[Class::Passive, Class::Preposition]);
+                article && named.is_some() || placed.is_some()
+            }
+            Some(false) => {
+                let verb = self.find(&[Class::Verb]);
+                verb.is_some_and(|verb| !OWNING.contains(&verb.entry.name))
+            }
+            None => false,
+        };
+        self.at = start;
+        says
+    }
+
+    /// Goes to the first verb, and says whether it is "is" or "are".
+    fn to_first_verb(&mut self) -> Option<bool> {
+        let verb = (self.at..self.tokens.len()).find(|&at| {
             self.at = at;
             COPULAS.contains(&self.word()) || self.find(&[Class::Verb]).is_some()
         });
-        let says = verb.is_some()
-            && match COPULAS.contains(&self.word()) {
-                true => {
-                    self.at += 1;
-                    let article = self.take_any(&ARTICLES);
-                    while let Some(adjective) = self.find(&[Class::Adjective]) {
-                        self.at += adjective.length;
-                    }
-                    article
-                        && self
-                            .find(&[Class::Thing, Class::Place, Class::Noun])
-                            .is_some()
-                        || self.find(&[Class::Passive, Class::Preposition]).is_some()
-                }
-                false => self
-                    .find(&[Class::Verb])
-                    .is_some_and(|verb| !OWNING.contains(&verb.entry.name)),
-            };
-        self.at = start;
-        says
+        verb.map(|_| COPULAS.contains(&self.word()))
+    }
+
+    fn skip_adjectives(&mut self) {
+        while let Some(adjective) = self.find(&[Class::Adjective]) {
+            self.at += adjective.length;
+        }
     }
 
     /// "… is a particle …", "… are two thin rods …", "… are the only loads …"
@@ -305,9 +309,7 @@ impl Reader<'_> {
         if self.take("only") && self.at_load() {
             return true;
         }
-        while let Some(adjective) = self.find(&[Class::Adjective]) {
-            self.at += adjective.length;
-        }
+        self.skip_adjectives();
         let kind = self.find(&[Class::Thing, Class::Place]);
         kind.is_some_and(|kind| kind.entry.class == Class::Thing || kind.entry.name == "point")
     }

@@ -163,15 +163,25 @@ impl Atoms {
             Some((parts, (fraction(cosine?), fraction(sine?))))
         });
         let Some((parts, kernel)) = part else { return };
+        self.tell_by_part([c, s], parts, &kernel);
+    }
+
+    /// The cosine and the sine of an angle are those of a part of it, so many times.
+    fn tell_by_part(
+        &mut self,
+        [cosine, sine]: [Variable; 2],
+        times: i64,
+        kernel: &(Fraction, Fraction),
+    ) {
         self.changes.note_all();
-        let (of_cosine, of_sine) = of_multiple(parts, &kernel);
-        for (letter, value) in [(c, of_cosine), (s, of_sine)] {
+        let (of_cosine, of_sine) = of_multiple(times, kernel);
+        for (letter, value) in [(cosine, of_cosine), (sine, of_sine)] {
             self.atom_mut(letter).law = Some(Law {
                 name: ADDITION_THEOREMS,
                 value,
             });
         }
-        self.atom_mut(s).square = None;
+        self.atom_mut(sine).square = None;
     }
 
     /// The sum of other angles that an angle is by definition, where it has no sine of its own yet.
@@ -184,7 +194,6 @@ impl Atoms {
     }
 
     fn tell_by_parts(&mut self, unit: &Fraction, q: i64, kernel: &(Fraction, Fraction)) {
-        self.changes.note_all();
         for whole_part in 1..q {
             if q % whole_part != 0 {
                 continue;
@@ -194,16 +203,7 @@ impl Atoms {
             let [Some(cosine), Some(sine)] = keys.map(|k| self.find(&k)) else {
                 continue;
             };
-            let (of_cosine, of_sine) = of_multiple(q / whole_part, kernel);
-            let law = |value| {
-                Some(Law {
-                    name: ADDITION_THEOREMS,
-                    value,
-                })
-            };
-            self.atom_mut(cosine).law = law(of_cosine);
-            self.atom_mut(sine).law = law(of_sine);
-            self.atom_mut(sine).square = None;
+            self.tell_by_part([cosine, sine], q / whole_part, kernel);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::verify::language::centres::speaks_of_centre;
 pub(super) use crate::verify::language::heads::CONTACT_POINT;
-use crate::verify::language::heads::VERTICALLY_ABOVE;
+use crate::verify::language::heads::{HEIGHT, VERTICALLY_ABOVE};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
@@ -17,8 +17,6 @@ use crate::verify::term::quantity::Spot;
 
 /// Quantities that only what moves has.
 const RATES_OF_PLACE: [&str; 4] = ["velocity", "speed", "acceleration", "displacement"];
-
-const HEIGHT: &str = "height";
 
 /// A plane that things touch from below.
 const CEILING: &str = "ceiling";
