@@ -198,7 +198,7 @@ impl Reader<'_> {
         let start = self.at;
         let mut words = self.tokens[start..].iter().map(|t| t.lower.as_str());
         let denies = words.any(|word| DENYING.contains(&word) || retracts(word));
-        let undergoes = self.to_first_verb() == Some(true);
+        let undergoes = self.skip_to_verb() == Some(true);
         self.at += usize::from(undergoes);
         let does = match undergoes {
             true => self.find(&[Class::Passive, Class::Preposition]),
@@ -263,7 +263,7 @@ impl Reader<'_> {
     /// to what is known; an adjective, and what a thing has, may take back what is assumed of all things of its kind.
     fn says_what_is_known(&mut self) -> bool {
         let start = self.at;
-        let says = match self.to_first_verb() {
+        let says = match self.skip_to_verb() {
             Some(true) => {
                 self.at += 1;
                 let article = self.take_any(&ARTICLES);
@@ -283,7 +283,7 @@ impl Reader<'_> {
     }
 
     /// Goes to the first verb, and says whether it is "is" or "are".
-    fn to_first_verb(&mut self) -> Option<bool> {
+    fn skip_to_verb(&mut self) -> Option<bool> {
         let verb = (self.at..self.tokens.len()).find(|&at| {
             self.at = at;
             COPULAS.contains(&self.word()) || self.find(&[Class::Verb]).is_some()
