@@ -219,7 +219,12 @@ fn unread(
     let mut extents = extents.unwrap_or_else(|| vec![Extent::Document]);
     let limited = extents != [Extent::Document] || may_be_limited;
     let words = reader.quoted_words();
+    let signs = reader.written_signs();
     let touched = words.map_or_else(|| reader.touched(limited), Touched::Words);
+    let touched = match (touched, signs) {
+        (Touched::Everything, Some(signs)) => Touched::WrittenSigns(signs),
+        (touched, _) => touched,
+    };
     // Parts that go on in words that are not understood may be anywhere.
     if GOES_ON.contains(&reader.word()) {
         extents = vec![Extent::Document];

@@ -255,6 +255,8 @@ pub enum Touched {
     Signs(Vec<Sign>),
     /// What carries one of these words.
     Words(Vec<String>),
+    /// What carries a sign that is written in one of these ways, by a rule for it.
+    WrittenSigns(Vec<String>),
     /// It may be a rule for all that is written.
     Everything,
 }

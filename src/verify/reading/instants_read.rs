@@ -255,15 +255,29 @@ impl Builder<'_> {
         });
     }
 
-    /// "Lines 3 to 9 hold at `$t=0$`": what they say is said of that instant. What holds at a time is
-    /// given.
-    pub(super) fn lines_hold_at(&mut self, lines: &Reach, slots: &[(Slot, Term)]) -> Option<()> {
+    /// "Lines 3 to 9 hold at `$t=0$`", "at `$\\varphi=0$`": what they say is said of that instant, and so is the relation that
+    /// tells it. What holds at a time is given.
+    pub(super) fn lines_hold_at(
+        &mut self,
+        lines: &Reach,
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> Option<()> {
         let found = slots
             .iter()
             .find_map(|(slot, term)| instant_of(*slot, term));
-        let (name, _) = found?;
+        let (name, condition) = found?;
         let told = name == START || slots.iter().any(|(_, term)| is_time_told(term));
-        self.reading.instants.named(&name).lines.push(lines.clone());
+        let values = match condition.filter(|_| !told) {
+            Some(condition) => self.sides_less(&condition, declaration)?,
+            None => vec![],
+        };
+        let source = Self::source_of(declaration);
+        let instant = self.reading.instants.named(&name);
+        instant
+            .values
+            .extend(values.into_iter().map(|value| (value, source.clone())));
+        instant.lines.push(lines.clone());
         let role = LineRole::new(lines.clone(), Some(Role::Given));
         self.reading.roles.extend(told.then_some(role));
         Some(())

@@ -181,7 +181,7 @@ impl Builder<'_> {
             Extent::Document => reach_of(&declaration.extent),
             lines => reach_of(lines),
         };
-        if self.lines_hold_at(&lines, slots).is_some() {
+        if self.lines_hold_at(&lines, slots, declaration).is_some() {
             return;
         }
         match section {

@@ -77,6 +77,7 @@ pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touch
             }
         }
         Touched::Words(words) => Touches::Words(words.clone()),
+        Touched::WrittenSigns(signs) => Touches::WrittenSigns(signs.clone()),
         Touched::Everything => Touches::Everything,
     }
 }

@@ -19,6 +19,9 @@ const BY_CUSTOM: [&str; 5] = ["t", "pi", "delta", "epsilon", "varepsilon"];
 /// Marks that stand on letters alone.
 const ON_LETTERS: [&str; 7] = ["dot", "two", "tilde", "hat", "wide", "underline", "arrow"];
 
+/// Commands by which a document defines its own.
+const DEFINING: [&str; 4] = ["\\newcommand", "\\renewcommand", "\\def\\", "\\DeclareMath"];
+
 /// What the parts of an array are called.
 const PARTS: [&str; 3] = ["column", "row", "entry"];
 
@@ -63,6 +66,8 @@ pub(crate) enum Touches {
     Signs(Vec<Sign>),
     /// Of what carries one of these words.
     Words(Vec<String>),
+    /// Of what carries a sign that is written in one of these ways.
+    WrittenSigns(Vec<String>),
     Everything,
 }
 
@@ -85,6 +90,14 @@ impl Unused {
             Touches::Words(words) => {
                 let lines = lines_of(written);
                 words.iter().any(|word| lines.contains(word))
+            }
+            // A command of the document may write any sign.
+            Touches::WrittenSigns(signs) => {
+                let lines = lines_of(written);
+                let own = DEFINING
+                    .iter()
+                    .any(|command| written.text.contains(command));
+                own || signs.iter().any(|sign| lines.contains(sign))
             }
             Touches::Signs(signs) => nodes.any(|node| signs.iter().any(|sign| carries(node, sign))),
             Touches::Written(wholes) => {
@@ -113,6 +126,7 @@ impl Unused {
         };
         match &self.touches {
             Touches::Signs(signs) => signs.iter().all(of_notation),
+            Touches::WrittenSigns(_) => true,
             _ => false,
         }
     }

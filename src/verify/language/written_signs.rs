@@ -1,0 +1,110 @@
+//! The signs of which a rule speaks that is not understood: what does not carry one is not changed by it.
+
+use super::reader::Reader;
+use super::words::{Kind, Token};
+
+/// Verbs of a rule.
+const MEANS: [&str; 8] = [
+    "means",
+    "mean",
+    "denotes",
+    "denote",
+    "stands",
+    "stand",
+    "signifies",
+    "indicates",
+];
+
+/// Words behind which what lacks a sign has a meaning, too.
+const BESIDES: [&str; 10] = [
+    "without",
+    "no",
+    "not",
+    "other",
+    "else",
+    "otherwise",
+    "plain",
+    "same",
+    "unless",
+    "missing",
+];
+
+/// How signs are called, and how they are written.
+const SIGNS: [(&[&str], &[&str]); 18] = [
+    (
+        &["brace", "braces", "curly"],
+        &["\\{", "cases", "lbrace", "rbrace", "\\left."],
+    ),
+    (
+        &["bracket", "brackets"],
+        &["[", "(", "\\{", "matrix", "array", "\\langle", "⟨"],
+    ),
+    (
+        &["parenthesis", "parentheses", "triple", "triples"],
+        &["(", "pmatrix"],
+    ),
+    (
+        &["cross", "crosses"],
+        &["\\times", "\\cross", "×", "\\wedge", "∧"],
+    ),
+    (
+        &[
+            "exponent",
+            "exponents",
+            "superscript",
+            "superscripts",
+            "upper",
+            "raised",
+        ],
+        &["^", "ᵀ", "⁻", "⁰", "¹", "²", "³"],
+    ),
+    (
+        &["subscript", "subscripts", "lower", "lowered"],
+        &["_", "₀", "₁", "₂", "₃", "₄", "ₓ", "ᵢ", "ⱼ"],
+    ),
+    (&["prime", "primes"], &["'", "\\prime", "′", "″"]),
+    (&["arrow", "arrows"], &["\\vec", "arrow", "→", "\\to", "⃗"]),
+    (&["hat", "hats", "circumflex"], &["hat", "̂"]),
+    (&["tilde", "tildes"], &["tilde", "\\sim", "~", "̃"]),
+    (
+        &["bar", "bars"],
+        &["bar", "overline", "|", "vert", "mid", "̄"],
+    ),
+    (
+        &["star", "asterisk", "stars"],
+        &["*", "\\ast", "\\star", "∗", "⋆"],
+    ),
+    (&["dagger"], &["dagger", "†"]),
+    (&["colon", "colons"], &[":", "\\colon"]),
+    (&["semicolon", "semicolons"], &[";"]),
+    (&["sum", "sums", "sigma"], &["\\sum", "∑", "Σ"]),
+    (&["integral", "integrals"], &["int", "∫"]),
+    (
+        &["box", "boxes", "frame-box"],
+        &["boxed", "\\square", "\\Box", "□"],
+    ),
+];
+
+impl Reader<'_> {
+    /// How the first sign of which a rule speaks may be written; that of each one where it speaks of one or another. What a
+    /// sign means is a rule for what carries it alone, if nothing is said of what lacks it.
+    pub(super) fn written_signs(&self) -> Option<Vec<String>> {
+        let rest = self.tokens.get(self.at..).unwrap_or_default();
+        let is = |t: &Token, list: &[&str]| list.contains(&t.lower.as_str());
+        let verb = rest.iter().position(|t| is(t, &MEANS))?;
+        let subject = &rest[..verb];
+        let begins_with_word = subject.first().is_some_and(|t| t.kind == Kind::Word);
+        if !begins_with_word || rest.iter().any(|t| is(t, &BESIDES)) {
+            return None;
+        }
+        let several = subject.iter().any(|t| is(t, &["or", "and"]));
+        let signs = |t: &Token| {
+            let mut all = SIGNS.iter();
+            all.find_map(|(called, written)| is(t, called).then_some(*written))
+        };
+        let found = subject.iter().filter_map(signs);
+        let found: Vec<&[&str]> = found.take(if several { usize::MAX } else { 1 }).collect();
+        let written = found.concat();
+        (!written.is_empty()).then(|| written.into_iter().map(str::to_owned).collect())
+    }
+}
