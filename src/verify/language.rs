@@ -125,6 +125,7 @@ mod set_off;
 mod sides;
 mod sign;
 mod sizes_aside;
+mod slopes;
 mod spins;
 pub mod statement;
 mod subjects;

@@ -101,6 +101,7 @@ pub(crate) mod symmetry_axes;
 pub(crate) mod symmetry_read;
 pub(crate) mod told_twice;
 mod touched;
+mod travel_read;
 mod turn_order;
 pub(crate) mod turns_read;
 mod unbound;

@@ -236,3 +236,17 @@ fn a_directive_holds_formulas_that_blank_lines_part() {
     assert_eq!(plain.items.len(), document.items.len());
     assert!(prose(&document).contains("and on."));
 }
+
+#[test]
+fn blocks_of_text_are_no_code() {
+    let text = "````{prf:theorem} Steiner\n:label: steiner\n\n```{index} axis\n```\nThen\n\n$$\na = b\n$$ (one)\n````\n\n\
+                ```{note}\nHere $c = d$.\n```\n\n```{code-cell} ipython3\ne = '$f = g$'\n```\n";
+    let (document, _) = read("a.md", text, Format::Markdown);
+    let formulas = document
+        .items
+        .iter()
+        .filter(|item| matches!(item, Item::Formula(_)));
+    assert_eq!(formulas.count(), 2);
+    assert!(prose(&document).contains("Then"));
+    assert!(!prose(&document).contains("steiner"));
+}

@@ -2,6 +2,53 @@
 
 use super::search::{blank_line, find};
 use super::{LONGEST_CODE, Region, Scan};
+use std::ops::Range;
+
+/// Blocks in one another are looked through to this depth.
+const DEEPEST: usize = 64;
+
+/// Directives of MyST's Markdown, and blocks of bookdown, that hold text and no code.
+const OF_TEXT: [&str; 32] = [
+    "admonition",
+    "note",
+    "tip",
+    "warning",
+    "important",
+    "hint",
+    "caution",
+    "attention",
+    "danger",
+    "seealso",
+    "dropdown",
+    "margin",
+    "sidebar",
+    "aside",
+    "topic",
+    "epigraph",
+    "details",
+    "card",
+    "tab-set",
+    "tab-item",
+    "proof",
+    "theorem",
+    "definition",
+    "lemma",
+    "corollary",
+    "proposition",
+    "remark",
+    "example",
+    "exercise",
+    "solution",
+    "question",
+    "answer",
+];
+
+/// Whether the word behind the marks of a fence opens a block of text: `{note}`, `{prf:theorem}`.
+fn holds_text(language: &str) -> bool {
+    let name = language.strip_prefix('{').unwrap_or_default();
+    let name = name.split(['}', ',', ' ']).next().unwrap_or_default();
+    OF_TEXT.contains(&name.strip_prefix("prf:").unwrap_or(name))
+}
 
 impl Scan<'_> {
     /// `%% … %%`, a comment in Obsidian's Markdown.
@@ -67,6 +114,16 @@ impl Scan<'_> {
 
     fn fence(&mut self, run: usize, mark: u8) {
         let start = self.at;
+        if let Some(closing) = self
+            .comments
+            .iter()
+            .rev()
+            .take(DEEPEST)
+            .find(|comment| comment.start == start)
+        {
+            self.at = closing.end;
+            return;
+        }
         let line_end = |from: usize| {
             find(&self.bytes[from..], b"\n").map_or(self.bytes.len(), |i| from + i + 1)
         };
@@ -88,6 +145,9 @@ impl Scan<'_> {
         } else {
             close
         };
+        if holds_text(language) {
+            return self.open_block(start..body, close..end);
+        }
         if matches!(language, "math" | "{math}") {
             let options = self.options(body.min(close), close);
             self.found.push(Region {
@@ -98,6 +158,29 @@ impl Scan<'_> {
             });
         }
         self.at = end.max(start + run);
+    }
+
+    /// What stands between two marks is text: the marks and the options behind the first one count as comments.
+    fn open_block(&mut self, opening: Range<usize>, closing: Range<usize>) {
+        let body = opening.end.min(closing.start);
+        let options = self.options(body, closing.start);
+        let mut head = opening.start;
+        for line in self
+            .text
+            .get(head..options)
+            .unwrap_or("")
+            .split_inclusive('\n')
+        {
+            self.comments.push(head..head + line.trim_end().len());
+            head += line.len();
+        }
+        let last = self.text.get(closing.clone()).unwrap_or("");
+        let indent = last.len() - last.trim_start().len();
+        let end = closing.start + last.trim_end().len();
+        if closing.start + indent < end {
+            self.comments.push(closing.start + indent..end);
+        }
+        self.at = options;
     }
 
     /// Where the lines of options `:label: euler` at the head of a block end.

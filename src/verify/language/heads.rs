@@ -22,6 +22,8 @@ heads! {
     MASS = "mass";
     /// The point of a body by which its mass moves.
     MASS_CENTRE = "mass centre";
+    /// How far a point has moved since the start.
+    TRAVEL = "travel";
     HEIGHT = "height";
     MOMENTUM = "momentum";
     ANGULAR_MOMENTUM = "angular momentum";

@@ -199,7 +199,8 @@ fn take_forwards(along: &mut Term, macros: &Macros) {
     }
 }
 
-fn is_marked_vector(letter: &Formula) -> bool {
+/// Whether a letter carries the mark of a vector.
+pub(super) fn is_marked_vector(letter: &Formula) -> bool {
     match &letter.row {
         Row::Expression(node) => matches!(&node.kind, Kind::Symbol(s) if s.style.vector),
         _ => false,

@@ -62,6 +62,7 @@ use super::same::{
 use super::senses::tell_senses;
 use super::sides::tell_sides;
 use super::sizes_aside::give_sizes_aside;
+use super::slopes::lay_slopes;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
 use super::suspended::tell_suspended;
@@ -225,6 +226,7 @@ fn turn_about_axes(declarations: &mut Vec<Declaration>) {
 
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
 fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    lay_slopes(declarations);
     place_on_lines(declarations);
     place_on_rings(declarations);
     tell_suspended(declarations, macros);

@@ -223,7 +223,7 @@ impl Builder<'_> {
             Some((subject, declaration))
         })?;
         let ground = self.reading.system.ground;
-        let known = name_of(&subject).and_then(|name| self.axes.get(&name).copied());
+        let known = self.axis_of_frame(&subject);
         match known {
             Some((frame, axis)) => (frame == ground).then_some(axis),
             None => {

@@ -11,7 +11,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{is_force_at, letters_of};
 use crate::verify::reading::names::is_marked_vector;
-use crate::verify::reading::reactions_read::same_letter;
+use crate::verify::reading::reactions_read::{is_reaction, same_letter};
 use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Value};
 
@@ -50,7 +50,7 @@ impl Builder<'_> {
         }
         let agent = self.agent_outside(phrase, on);
         if !names_load(phrase) && agent.is_none() && !self.names_touch(phrase) {
-            return None;
+            return self.touch_told(phrase, on?);
         }
         let body = match (&agent, phrase.slot(Slot::Of)) {
             (Some(_), _) => match phrase.slot(Slot::Upon) {
@@ -107,6 +107,19 @@ impl Builder<'_> {
             && self.reading.system.contacts.is_empty()
     }
 
+    /// "the friction", "the normal force" on a body that touches one plane: by the letters that sentences tell for them.
+    fn touch_told(&mut self, phrase: &NounPhrase, body: BodyId) -> Option<Vec<Load>> {
+        let contacts = self.reading.system.contacts.iter();
+        let one = contacts.filter(|contact| contact.body == body).count() == 1;
+        if !one || !has(phrase.head, Trait::Touch) || phrase.slot(Slot::At).is_some() {
+            return None;
+        }
+        let told = self.letters_told_by(phrase, body);
+        let loads = told.iter().map(|letter| self.load(letter, Lasting::Always));
+        let loads: Option<Vec<Load>> = loads.collect();
+        loads.filter(|loads| loads.len() == 1)
+    }
+
     /// The letters and formulas that sentences tell for what a noun names on a body: "The thrust `F k` acts on the rocket at
     /// G" for "the thrust".
     fn letters_told_by(&self, phrase: &NounPhrase, body: BodyId) -> Vec<&Formula> {
@@ -140,7 +153,9 @@ impl Builder<'_> {
                     }
                 }
                 Statement::Is { subjects, what }
-                    if is_force_at(what) && same(what) && here(&what.slots) =>
+                    if (is_force_at(what) || is_reaction(what))
+                        && same(what)
+                        && here(&what.slots) =>
                 {
                     told.extend(formulas(subjects));
                 }

@@ -4,7 +4,7 @@ use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_ROTATION, ENERGY_OF_TRANSLATION, FORCE,
     FRICTION, IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT,
     MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE,
-    VECTOR_PART,
+    TRAVEL, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -80,6 +80,7 @@ impl Builder<'_> {
         match phrase.head {
             "position" | "displacement" => return self.placed(phrase),
             "distance" => return self.distance(phrase, declaration),
+            TRAVEL => return self.travel(phrase, declaration),
             _ => {}
         }
         let relative = relative?;

@@ -154,8 +154,18 @@ impl Judge<'_> {
             held.doubt = Some(messages::SMALL_BY_OTHERS.into());
             return;
         }
-        if moves(&mut self.reading.system.atoms, residuals) && self.may_hold_in_motion(&held.sides)
+        let squares = self.squares(held);
+        // A length may have the value of the other side where its square has.
+        if let Some(squares) = squares.as_ref().filter(|squares| squares.agree())
+            && !self.are_opposite(held)
         {
+            return self.hold_by_squares(held, &squares.sides);
+        }
+        // The value of a root at an instant is that of its square.
+        let may_hold = moves(&mut self.reading.system.atoms, residuals)
+            && (self.may_hold_in_motion(&held.sides)
+                || (squares.as_ref()).is_some_and(|s| self.may_hold_in_motion(&s.sides)));
+        if may_hold {
             held.doubt = Some(messages::HOLDS_AT_INSTANT.into());
             return;
         }
@@ -172,13 +182,6 @@ impl Judge<'_> {
             .into_iter()
             .any(|angle| angle.variables().iter().any(told));
         let orders = self.orders();
-        let squares = self.squares(held);
-        // A length may have the value of the other side where its square has.
-        if let Some(squares) = squares.as_ref().filter(|squares| squares.agree())
-            && !self.are_opposite(held)
-        {
-            return self.hold_by_squares(held, &squares.sides);
-        }
         let atoms = &mut self.reading.system.atoms;
         match World::refuting(&self.facts, atoms, residuals, &orders).filter(|_| !hidden) {
             Some(world) => {

@@ -155,3 +155,44 @@ $$ u_0 = \mu g t_1 $$
 ";
     assert_eq!(judged(sentences, text), "pu");
 }
+
+#[test]
+fn a_relation_that_tells_when_lines_hold_is_used_there() {
+    let sentences = "K is an inertial frame.
+x, y, z are the axes of K.
+O is a point fixed in K and in B.
+B turns relative to K about the axis through O along z by the angle $\\alpha$.
+P is a particle of mass $m$.
+$p$ is the position of P from O in components on B.
+$v$ is the velocity of P relative to K in components on K.
+$u$ is the velocity of P relative to B in components on B.
+$\\omega$ is the angular velocity of B relative to K in components on B.
+Lines 2 and 3 hold at $\\alpha = 0$.
+";
+    let text = r"
+$$ v = \omega\times p + u $$
+$$ v = \omega\times p - u $$
+$$ v = \omega\times p + u $$
+";
+    assert_eq!(judged(sentences, text), "prr");
+}
+
+#[test]
+fn a_root_may_have_its_value_by_the_motion_from_an_instant() {
+    let sentences = "N is an inertial frame.
+z is the upward vertical.
+P is a particle of mass $m$.
+P moves along z.
+The weight is the only load on P.
+$g$ is the acceleration of gravity.
+$v$ is the speed of P.
+$z$ is the height of P.
+$z = h$ at $t = 0$.
+P is at rest at $t = 0$.
+The whatever of P is somehow.
+";
+    let text = r"
+$$ v = \sqrt{2 g (h - z)} $$
+";
+    assert_eq!(super::verdicts(sentences, text).0, "u");
+}

@@ -120,3 +120,86 @@ $$ \vec v = \vec r\times\vec\omega $$
 ";
     assert_eq!(judged(sentences, text), "prppprppr");
 }
+
+/// A slope whose axes no sentence names: what rolls there is told by words alone.
+const UNNAMED: &str = "E is an inertial frame.
+The slope is fixed in E.
+The slope makes the angle $\\beta$ with the horizontal.
+The hoop is a uniform thin ring of mass $m$ and radius $b$.
+The hoop rolls down the slope without slipping.
+C is the mass centre of the hoop.
+$a$ is the acceleration of C down the slope.
+$\\omega$ is the angular velocity of the hoop.
+$J$ is the moment of inertia of the hoop about its axis.
+$F$ is the friction on the hoop.
+$N$ is the normal force on the hoop.
+$g$ is the acceleration of gravity.
+The weight, the friction and the normal force are the only loads on the hoop.
+";
+
+#[test]
+fn what_rolls_down_a_slope_turns_forward_about_its_level_axis() {
+    let text = r"
+$$ m a = m g\sin\beta - F $$
+$$ J\dot\omega = F b $$
+$$ a = b\dot\omega $$
+$$ F = \tfrac12 m g\sin\beta $$
+$$ N = m g\cos\beta $$
+$$ a = -b\dot\omega $$
+$$ m a = F - m g\sin\beta $$
+$$ N = m g\sin\beta $$
+$$ a = \tfrac23 g\sin\beta $$
+";
+    assert_eq!(judged(UNNAMED, text), "ppppprrrr");
+}
+
+#[test]
+fn what_is_counted_up_the_slope_leaves_the_sense_of_rolling_open() {
+    let sentences = UNNAMED.replace("acceleration of C down", "acceleration of C up");
+    let text = r"
+$$ a = -\tfrac12 g\sin\beta $$
+$$ a = b\dot\omega $$
+$$ a = -b\dot\omega $$
+";
+    assert_eq!(super::verdicts(&sentences, text).0, "puu");
+}
+
+#[test]
+fn a_pull_leaves_the_sense_of_the_friction_open() {
+    let pull = "The force $P$ along the uphill direction of the slope acts on the hoop at C.\n";
+    let sentences = format!("{UNNAMED}{pull}").replace("The weight, the", "The weight, $P$, the");
+    let text = r"
+$$ F = \tfrac12(m g\sin\beta - P) $$
+$$ F = \tfrac12(P - m g\sin\beta) $$
+";
+    assert_eq!(super::verdicts(&sentences, text).0, "uu");
+}
+
+#[test]
+fn heights_and_distances_are_counted_from_the_release() {
+    let sentences = "E is an inertial frame.
+The ramp is fixed in E and inclined at the angle $\\beta$ to the horizontal.
+The ball is a uniform sphere of mass $m$ and radius $R$.
+The ball rolls down the ramp without slipping.
+The ball is released from rest.
+C is the mass centre of the ball.
+$s$ is the distance that C has moved down the ramp since the release.
+$h$ is the height through which C has fallen.
+$v$ is the velocity of C down the ramp.
+$t$ is the time since the release.
+$g$ is the acceleration of gravity.
+P is the point where the ball touches the ramp.
+The weight and the force at P are the only loads on the ball.
+";
+    let text = r"
+$$ h = s\sin\beta $$
+$$ \dot s = v $$
+$$ v^2 = \frac{10}{7} g h $$
+$$ v = \sqrt{\frac{10}{7} g s\sin\beta} $$
+$$ s = \frac{5}{14} g t^2\sin\beta $$
+$$ h = s\cos\beta $$
+$$ \dot s = -v $$
+$$ v^2 = \frac{4}{3} g h $$
+";
+    assert_eq!(judged(sentences, text), "pppuprrr");
+}

@@ -331,3 +331,40 @@ fn a_cancelled_term_may_be_told_to_vanish() {
     assert!(heard("A cancelled term is read as if it stood there."));
     assert!(!heard("A cancelled term is read as if it were zero."));
 }
+
+#[test]
+fn a_rule_in_words_that_are_not_understood_touches_what_carries_its_sign() {
+    let text = r"
+$$ v = \dot r $$
+$$ w \times r = v $$
+$$ r^2 = d^2 $$
+$$ v = -\dot r $$
+";
+    let judged = |said: &str| {
+        let sentences = format!(
+            r"N is an inertial frame.
+P is a particle of mass $m$.
+O is a point fixed in N.
+$r$ is the position of P from O.
+$d$ is the distance of P from O.
+$v$ is the velocity of P relative to N.
+$w$ is any vector.
+{said}"
+        );
+        verdicts(&sentences, text).0
+    };
+    assert_eq!(
+        judged("A curly brace means somehow that all of it holds."),
+        "prpr"
+    );
+    assert_eq!(
+        judged("The cross between things means whatever they like."),
+        "pupr"
+    );
+    assert_eq!(judged("An upper sign means whatever they like."), "prur");
+    // What lacks a sign may mean something else as well.
+    assert_eq!(
+        judged("The cross between things means no whatever."),
+        "uuuu"
+    );
+}
