@@ -219,6 +219,9 @@ impl Checker<'_> {
             Decision::FalseWithoutWitness => {
                 finding.reason = Some(reason::NO_WITNESS.to_owned());
             }
+            Decision::False(_) if self.vanishes_by_kernels(read) => {
+                finding.reason = Some(reason::NO_WITNESS.to_owned());
+            }
             Decision::False(_) if loose.is_some() => {
                 finding.reason = loose;
             }
@@ -231,6 +234,12 @@ impl Checker<'_> {
             }
             Decision::True(_) => {}
         }
+    }
+
+    /// Whether nothing is left over by what holds of sines, roots and lengths of one.
+    fn vanishes_by_kernels(&mut self, read: &Read) -> bool {
+        let mut left = read.residuals();
+        left.all(|entry| self.theory.kernels_reduced(entry.clone()).is_zero())
     }
 
     /// The first component that is not zero, in the author's symbols.
