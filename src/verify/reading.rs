@@ -2,6 +2,7 @@
 
 pub(crate) mod about_read;
 pub(crate) mod adapted_axes;
+mod any_put_in;
 pub(crate) mod any_read;
 mod arithmetic_read;
 mod axes_besides;

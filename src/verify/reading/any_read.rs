@@ -1,9 +1,9 @@
 //! What is said for any frames or points: one sentence for each pair of those that the text names.
 
-use crate::notation::ast::{Kind, Node};
-use crate::notation::document::Row;
-use crate::notation::{Macros, print, read_formula};
+use crate::notation::ast::Kind;
+use crate::notation::{Macros, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::reading::any_put_in::with_things;
 use crate::verify::reading::label_read::named_by_labels;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of};
@@ -12,9 +12,6 @@ use crate::verify::term::written::WrittenSymbols;
 
 /// No more sentences are made of one.
 const MOST: usize = 200;
-
-/// What is the same as something else, whatever the things in its labels are.
-const SHORTHAND: &str = "shorthand";
 
 /// Functions of angles for which authors have letters.
 const KERNELS: [&str; 3] = ["cosine", "sine", "tangent"];
@@ -47,9 +44,11 @@ pub(crate) fn instances(
         let Some(any) = any_things(&declaration.statement) else {
             return vec![declaration.clone()];
         };
-        let kinds = any.iter().map(|thing| {
-            let of_point = stands_for_point(&declaration.statement, thing);
-            if of_point { &points } else { &frames }
+        let indices = indices_of_any(&declaration.statement, &frames);
+        let kinds = any.iter().enumerate().map(|(at, thing)| match &indices {
+            Some(indices) => &indices[at],
+            None if stands_for_point(&declaration.statement, thing) => &points,
+            None => &frames,
         });
         let kinds: Vec<&Vec<Term>> = kinds.collect();
         let mut made = vec![];
@@ -245,10 +244,40 @@ pub(super) fn any_things(statement: &Statement) -> Option<Vec<String>> {
     let names: Option<Vec<String>> = any
         .map(|(_, term)| match term {
             Term::Name(name) if name.chars().count() == 1 => Some(name.clone()),
-            _ => None,
+            term => indexed(term).map(|(_, index)| index),
         })
         .collect();
     names.filter(|names| !names.is_empty() && names.len() <= 3)
+}
+
+/// The letter and the index of a name such as `$F_\\alpha$`.
+fn indexed(term: &Term) -> Option<(String, String)> {
+    let Term::Formula(formula) = term else {
+        return None;
+    };
+    match &node_of(formula)?.kind {
+        Kind::Symbol(symbol) if symbol.superscripts.is_empty() => {
+            let [index] = symbol.subscripts.as_slice() else {
+                return None;
+            };
+            Some((symbol.name.clone(), index.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// The indices of the things that have a name of one letter with an index, for each such thing of which a sentence speaks as
+/// of any.
+fn indices_of_any(statement: &Statement, things: &[Term]) -> Option<Vec<Vec<Term>>> {
+    let any = statement.slots().flatten();
+    let any = any.filter(|(slot, _)| *slot == Slot::ForAny);
+    let letters: Option<Vec<String>> = any.map(|(_, term)| Some(indexed(term)?.0)).collect();
+    let own = |letter: &String| -> Vec<Term> {
+        let named = things.iter().filter_map(indexed);
+        let same = named.filter(|(other, _)| other == letter);
+        same.map(|(_, index)| Term::Name(index)).collect()
+    };
+    Some(letters?.iter().map(own).collect())
 }
 
 /// Whether a name stands where a point does: of a position, or from where it is measured.
@@ -268,128 +297,18 @@ pub(super) fn stands_for_point(statement: &Statement, name: &str) -> bool {
     })
 }
 
-/// Each way to choose one of each kind, no thing twice.
+/// Each way to choose one of each kind: of two no thing twice, and of three the last may be one of the others, as the frame is
+/// on whose axes components are.
 fn choices(kinds: &[&Vec<Term>]) -> Vec<Vec<Term>> {
     let mut chosen: Vec<Vec<Term>> = vec![vec![]];
     for kind in kinds {
         let longer = chosen.iter().flat_map(|before| {
-            let others = kind.iter().filter(|thing| !before.contains(thing));
+            let others = kind
+                .iter()
+                .filter(|thing| before.len() == 2 || !before.contains(thing));
             others.map(|thing| [before.as_slice(), std::slice::from_ref(thing)].concat())
         });
         chosen = longer.take(MOST).collect();
     }
     chosen
-}
-
-/// A statement with things in the place of the names for which it speaks of any.
-fn with_things(statement: &Statement, any: &[String], chosen: &[Term]) -> Option<Statement> {
-    let pairs: Vec<(&str, &Term)> = any.iter().map(String::as_str).zip(chosen).collect();
-    let told = |slots: &[(Slot, Term)]| -> Option<Vec<(Slot, Term)>> {
-        let others = slots.iter().filter(|(slot, _)| *slot != Slot::ForAny);
-        others
-            .map(|(slot, term)| Some((*slot, with_names(term, &pairs)?)))
-            .collect()
-    };
-    let subjects = |terms: &[Term]| -> Option<Vec<Term>> {
-        terms.iter().map(|term| with_names(term, &pairs)).collect()
-    };
-    Some(match statement {
-        Statement::Is { subjects: s, what } if what.head == SHORTHAND => Statement::Same {
-            subjects: subjects(s)?,
-            others: told(&what.slots)?
-                .into_iter()
-                .map(|(_, term)| term)
-                .collect(),
-        },
-        Statement::Is { subjects: s, what } => Statement::Is {
-            subjects: subjects(s)?,
-            what: NounPhrase {
-                slots: told(&what.slots)?,
-                ..what.clone()
-            },
-        },
-        Statement::Does {
-            subjects: s,
-            verb,
-            slots,
-        } => Statement::Does {
-            subjects: subjects(s)?,
-            verb,
-            slots: told(slots)?,
-        },
-        _ => return None,
-    })
-}
-
-fn with_names(term: &Term, pairs: &[(&str, &Term)]) -> Option<Term> {
-    Some(match term {
-        Term::Name(name) => {
-            let chosen = pairs.iter().find(|(any, _)| any == name);
-            chosen.map_or_else(|| term.clone(), |(_, thing)| (*thing).clone())
-        }
-        Term::Formula(formula) => {
-            let mut node = node_of(formula)?.clone();
-            let labels: Option<Vec<(&str, String)>> = pairs
-                .iter()
-                .map(|(any, thing)| Some((*any, label(thing)?)))
-                .collect();
-            relabel(&mut node, &labels?);
-            Term::Formula(Formula {
-                source: print::latex(&node),
-                row: Row::Expression(node),
-            })
-        }
-        Term::Phrase(phrase) => {
-            let slots = phrase.slots.iter();
-            let slots = slots.map(|(slot, term)| Some((*slot, with_names(term, pairs)?)));
-            Term::Phrase(Box::new(NounPhrase {
-                slots: slots.collect::<Option<_>>()?,
-                ..(**phrase).clone()
-            }))
-        }
-        other => other.clone(),
-    })
-}
-
-/// A thing as it stands in a label.
-fn label(thing: &Term) -> Option<String> {
-    match thing {
-        Term::Name(name) => Some(name.clone()),
-        Term::Formula(formula) => match &node_of(formula)?.kind {
-            Kind::Symbol(symbol) => {
-                Some(symbol.name.clone() + &symbol.subscripts.concat() + &primes(symbol.primes))
-            }
-            _ => None,
-        },
-        _ => None,
-    }
-}
-
-fn primes(count: u8) -> String {
-    "'".repeat(usize::from(count))
-}
-
-/// Puts names in the place of others in the labels of a formula.
-fn relabel(node: &mut Node, labels: &[(&str, String)]) {
-    let put = |text: &mut String| {
-        let alone = text.chars().count() == 1;
-        let characters = text.chars().map(|c| {
-            // An index is a label of its own, and no letter of a word.
-            let stands = alone || !c.is_lowercase();
-            let found = labels.iter().find(|(any, _)| stands && any.chars().eq([c]));
-            found.map_or_else(|| c.to_string(), |(_, name)| name.clone())
-        });
-        *text = characters.collect();
-    };
-    match &mut node.kind {
-        Kind::Symbol(symbol) => {
-            symbol.subscripts.iter_mut().for_each(put);
-            symbol.superscripts.iter_mut().for_each(put);
-        }
-        Kind::InFrame(_, frame) => put(&mut frame.text),
-        _ => {}
-    }
-    node.children_mut()
-        .into_iter()
-        .for_each(|child| relabel(child, labels));
 }

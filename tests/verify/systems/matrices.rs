@@ -207,3 +207,25 @@ $$ U = U_3U_2U_1 $$
 ";
     assert_eq!(judged(sentences, text), "prppr");
 }
+
+#[test]
+fn frames_with_indices_are_meant_by_these_in_labels() {
+    let sentences = r"
+$F_\beta$ is an inertial frame.
+$F_\alpha$ is a frame that turns relative to $F_\beta$.
+$F_\delta$ is a frame that turns relative to $F_\alpha$.
+$\omega^{\gamma}_{\beta \alpha}$ is the angular velocity of $F_\alpha$ relative to $F_\beta$ in components on $F_\gamma$, for any frames $F_\alpha$, $F_\beta$ and $F_\gamma$.
+$R^{\alpha}_{\beta}$ takes components on $F_\beta$ to components on $F_\alpha$, for any frames $F_\alpha$ and $F_\beta$.
+";
+    let text = r"
+$$ \omega^{\delta}_{\beta \alpha} = -\omega^{\delta}_{\alpha\beta} $$
+$$ \omega^{\beta}_{\beta \alpha} = R^\beta_\alpha \omega^{\alpha}_{\beta\alpha} $$
+$$ \omega^{\beta}_{\beta \delta} = \omega^\beta_{\beta\alpha} + \omega^{\beta}_{\alpha\delta} $$
+$$ R^\delta_\beta = R^\delta_\alpha R^\alpha_\beta $$
+$$ \omega^{\delta}_{\beta \alpha} = \omega^{\delta}_{\alpha\beta} $$
+$$ \omega^{\alpha}_{\beta \alpha} = R^\beta_\alpha \omega^{\beta}_{\beta\alpha} $$
+$$ \omega^{\beta}_{\beta \delta} = \omega^\beta_{\beta\alpha} - \omega^{\beta}_{\alpha\delta} $$
+$$ R^\delta_\beta = R^\alpha_\beta R^\delta_\alpha $$
+";
+    assert_eq!(judged(sentences, text), "pppprrrr");
+}
