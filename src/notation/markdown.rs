@@ -4,8 +4,10 @@ use crate::notation::delimiters::{Region, regions_and_comments};
 use crate::notation::document::{Item, Row, push_prose};
 use crate::notation::formula;
 use crate::notation::macros::Macros;
+use crate::notation::plain;
+use crate::notation::triads::Triads;
 use crate::source::Span;
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag, TagEnd};
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -21,6 +23,7 @@ pub(crate) fn items(text: &str, offset: usize, macros: &Macros) -> Vec<Item> {
         next: 0,
         heading: None,
         code: 0,
+        unlabelled: false,
         items: vec![],
     };
     let parser = Parser::new_ext(
@@ -87,6 +90,19 @@ fn level_between_signs(paragraph: &str) -> Option<u8> {
     (closed && words && (1..=6).contains(&level)).then_some(level)
 }
 
+/// Greek letters, letters with dots, raised and lowered ones, and signs of operations.
+fn is_of_mathematics(c: char) -> bool {
+    matches!(
+        c,
+        '\u{300}'..='\u{36f}'
+            | '\u{370}'..='\u{3ff}'
+            | '\u{1d2c}'..='\u{1d6a}'
+            | '\u{1e00}'..='\u{1eff}'
+            | '\u{2070}'..='\u{209c}'
+            | '·' | '×' | '²' | '³' | '√' | '∂' | '∫' | '∑'
+    )
+}
+
 struct Reader<'a> {
     offset: usize,
     text: &'a str,
@@ -95,6 +111,8 @@ struct Reader<'a> {
     next: usize,
     heading: Option<(u8, String, usize)>,
     code: usize,
+    /// Whether the code says of no language that it is in it.
+    unlabelled: bool,
     items: Vec<Item>,
 }
 
@@ -122,7 +140,13 @@ impl Reader<'_> {
                 }
                 self.end_heading(range);
             }
-            Event::Start(Tag::CodeBlock(_)) => self.code += 1,
+            Event::Start(Tag::CodeBlock(kind)) => {
+                self.code += 1;
+                self.unlabelled = match kind {
+                    CodeBlockKind::Fenced(language) => matches!(&*language, "" | "text"),
+                    CodeBlockKind::Indented => false,
+                };
+            }
             Event::End(TagEnd::CodeBlock) => {
                 self.code = self.code.saturating_sub(1);
                 self.regions_skipped(range);
@@ -138,11 +162,16 @@ impl Reader<'_> {
                 self.items.push(Item::Break);
             }
             Event::Start(_) => self.formulas_before(range.start),
+            Event::Text(_) if self.code > 0 && self.unlabelled => self.plain(range),
             Event::Text(_) if self.code > 0 => {}
             Event::Text(text) => self.text(&text, range),
             Event::Code(text) => {
                 self.formulas_before(range.start);
-                self.prose(&text, &range);
+                let inside = range.start + 1..range.end.saturating_sub(1);
+                match self.heading.is_none() && self.is_plain_formula(&inside) {
+                    true => self.plain(inside),
+                    false => self.prose(&text, &range),
+                }
             }
             Event::SoftBreak | Event::HardBreak => {
                 self.formulas_before(range.start);
@@ -165,6 +194,29 @@ impl Reader<'_> {
             }
             self.next += 1;
         }
+    }
+
+    /// Whether a piece of the text is mathematics in Unicode: it has a sign of relation, and letters or signs that programs
+    /// do without.
+    fn is_plain_formula(&self, range: &Range<usize>) -> bool {
+        let text = self.text.get(range.clone()).unwrap_or("");
+        text.contains(['=', '≈', '≠', '≤', '≥']) && text.contains(is_of_mathematics)
+    }
+
+    /// Code that is mathematics in Unicode is read as plain text is.
+    fn plain(&mut self, range: Range<usize>) {
+        if !self.is_plain_formula(&range) {
+            return;
+        }
+        let text = self.text.get(range.clone()).unwrap_or("");
+        let triads = Triads::of(text);
+        let found = plain::read(
+            text,
+            self.offset + range.start,
+            self.macros.decimal_comma,
+            triads,
+        );
+        self.items.extend(found);
     }
 
     /// Text in which formulas may stand; where escapes have changed nothing, the bytes of the source are used.

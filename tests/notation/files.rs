@@ -250,3 +250,21 @@ fn blocks_of_text_are_no_code() {
     assert!(prose(&document).contains("Then"));
     assert!(!prose(&document).contains("steiner"));
 }
+
+#[test]
+fn code_that_is_mathematics_in_unicode_is_read() {
+    let text = "The rate is `ṗ = q·r`, by `p = 3` and `f(x)`.\n\n```\nu̇ = −g·sinθ − Q·w\nv̇ = g·cosθ\n```\n\n\
+                | a | b |\n|---|---|\n| name | `Ω = Ṙ Rᵀ` |\n\n```python\nω = 3\n```\n";
+    let (document, _) = read("a.md", text, Format::Markdown);
+    let rows = document.items.iter().filter_map(|item| match item {
+        Item::Formula(formula) => Some(&formula.rows),
+        _ => None,
+    });
+    let mut lines = vec![];
+    for row in rows.flatten() {
+        if let Row::Line(line) = row {
+            lines.push(document.source.line_column(line.span.start).0);
+        }
+    }
+    assert_eq!(lines, [1, 4, 5, 10]);
+}
