@@ -268,6 +268,12 @@ impl System {
             };
             return Ok((a.clone(), zero));
         }
+        if let Some(one) = one_beside(a, b) {
+            return Ok((one, b.clone()));
+        }
+        if let Some(one) = one_beside(b, a) {
+            return Ok((a.clone(), one));
+        }
         if a.is_row() && b.is_vector() && a.basis[1] == Basis::Written {
             return self.brought_together(&a.transposed(), b, custom);
         }
@@ -283,6 +289,20 @@ impl System {
             false => ill_typed(unequal),
         }
     }
+}
+
+/// A lone 1 that is set equal to a square matrix: the identity matrix.
+fn one_beside(one: &Value, matrix: &Value) -> Option<Value> {
+    let size = matrix.rows;
+    let square = size > 1 && matrix.columns == size;
+    let entry = |at: usize| match at / size == at % size {
+        true => Fraction::one(),
+        false => Fraction::zero(),
+    };
+    (square && one.is_scalar() && one.entries[0].is_one()).then(|| Value {
+        entries: (0..size * size).map(entry).collect(),
+        ..matrix.clone()
+    })
 }
 
 impl System {

@@ -229,3 +229,21 @@ $$ R^\delta_\beta = R^\alpha_\beta R^\delta_\alpha $$
 ";
     assert_eq!(judged(sentences, text), "pppprrrr");
 }
+
+#[test]
+fn a_lone_one_beside_a_square_matrix_is_the_identity() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame that turns relative to N.
+$R$ takes components on B to components on N.
+$w$ is the angular velocity of B relative to N in components on B.
+";
+    let text = r"
+$$ R^T R = 1 $$
+$$ 1 = R R^T $$
+$$ R = 1 $$
+$$ R^T R = 2 $$
+$$ w = 1 $$
+";
+    assert_eq!(judged(sentences, text), "pprrr");
+}
