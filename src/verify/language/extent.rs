@@ -16,6 +16,9 @@ const UNITS: [&str; 9] = [
     "problem", "part", "exercise", "question", "example", "chapter", "step", "case", "task",
 ];
 
+/// How parts of a document are called that have a heading.
+const PARTS: [&str; 4] = ["section", "sections", "subsection", "subsections"];
+
 /// How lines with a label are called.
 const EQUATIONS: [&str; 4] = ["equation", "equations", "eq", "eqs"];
 
@@ -59,7 +62,7 @@ impl Reader<'_> {
             "in" | "on" if EQUATIONS.contains(&next) => true,
             "between" => LINES.contains(&next),
             "in" if UNITS.contains(&next) => self.numbered(2),
-            "in" => next == "section" || next == "the" && self.word_at(2) == "section",
+            "in" => PARTS.contains(&next) || next == "the" && PARTS.contains(&self.word_at(2)),
             "from" | "until" => next == "line" && number(2),
             "up" => next == "to" && self.word_at(2) == "line" && number(3),
             _ => false,
@@ -121,13 +124,13 @@ impl Reader<'_> {
                 self.at += 2;
                 return Ok(vec![Extent::Section(title)]);
             }
-            if self.take("the section") || self.take("section") {
-                return Ok(vec![Extent::Section(self.quoted()?)]);
+            if self.take_heads_of_parts() {
+                return self.headings();
             }
         }
         self.at = start;
-        if self.take("under the heading") {
-            return Ok(vec![Extent::Section(self.quoted()?)]);
+        if self.take("under the heading") || self.take("under the headings") {
+            return self.headings();
         }
         if self.word() == "from" && self.opens(1) {
             return self.behind_label();
@@ -150,6 +153,34 @@ impl Reader<'_> {
             return self.between();
         }
         Ok(vec![])
+    }
+
+    /// "the section", "sections", before a heading.
+    fn take_heads_of_parts(&mut self) -> bool {
+        let start = self.at;
+        self.take("the");
+        let part = self.take_any(&PARTS);
+        if !part {
+            self.at = start;
+        }
+        part
+    }
+
+    /// "\"A\"", "\"A\", \"B\" and \"C\"", "\"A\" and in the section \"B\"": the parts under these headings.
+    fn headings(&mut self) -> Read<Vec<Extent>> {
+        let mut parts = vec![Extent::Section(self.quoted()?)];
+        loop {
+            let start = self.at;
+            let mut goes_on = self.take_separator();
+            if goes_on && self.take("in") {
+                goes_on = self.take_heads_of_parts();
+            }
+            if !goes_on || self.kind() != Some(Kind::Quoted) {
+                self.at = start;
+                return Ok(parts);
+            }
+            parts.push(Extent::Section(self.quoted()?));
+        }
     }
 
     /// Whether a bracket opens some words further on.

@@ -21,9 +21,20 @@ pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Stat
     }
     let one = |(number, subject): (usize, Term)| Statement::Is {
         subjects: vec![subject],
-        what: in_turn(&what, number, count),
+        what: single(in_turn(&what, number, count)),
     };
     subjects.into_iter().enumerate().map(one).collect()
+}
+
+/// "the axes x and z of N", of which each letter is one: the axis x of N.
+fn single(what: NounPhrase) -> NounPhrase {
+    match (what.head, what.slot(Slot::Which)) {
+        ("axes", Some(_)) => NounPhrase {
+            head: "axis",
+            ..what
+        },
+        _ => what,
+    }
 }
 
 /// "along the x, y, z axes of B": along each of these axes.

@@ -242,7 +242,9 @@ pub(super) fn any_things(statement: &Statement) -> Option<Vec<String>> {
         _ => return None,
     };
     let any = slots.iter().filter(|(slot, _)| *slot == Slot::ForAny);
-    let names: Option<Vec<String>> = any
+    // Vectors and angles stay what they are: "for any frame X and any vector `$v$`".
+    let things = any.filter(|(_, term)| !matches!(term, Term::Formula(_)));
+    let names: Option<Vec<String>> = things
         .map(|(_, term)| match term {
             Term::Name(name) if name.chars().count() == 1 => Some(name.clone()),
             _ => None,
@@ -285,7 +287,10 @@ fn choices(kinds: &[&Vec<Term>]) -> Vec<Vec<Term>> {
 fn with_things(statement: &Statement, any: &[String], chosen: &[Term]) -> Option<Statement> {
     let pairs: Vec<(&str, &Term)> = any.iter().map(String::as_str).zip(chosen).collect();
     let told = |slots: &[(Slot, Term)]| -> Option<Vec<(Slot, Term)>> {
-        let others = slots.iter().filter(|(slot, _)| *slot != Slot::ForAny);
+        let letter = |term: &Term| matches!(term, Term::Formula(_));
+        let others = slots
+            .iter()
+            .filter(|(slot, term)| *slot != Slot::ForAny || letter(term));
         others
             .map(|(slot, term)| Some((*slot, with_names(term, &pairs)?)))
             .collect()

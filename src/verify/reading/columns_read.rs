@@ -18,8 +18,13 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        if let (Some(Term::Formula(column)), [Term::Formula(letter)]) =
-            (what.slot(Slot::Which), subjects)
+        let mut of_matrix = || self.read_columns_of_matrix(subjects, what, declaration);
+        if what.head == "column" && column_of_identity(what).is_none() && of_matrix().is_some() {
+            return;
+        }
+        // "the column `$a$`", and not "the column `$i$` of `$Q$`"
+        if let (Some(Term::Formula(column)), [Term::Formula(letter)], None) =
+            (what.slot(Slot::Which), subjects, what.slot(Slot::Of))
             && let Some(node) = node_of(column)
         {
             let same = Meaning::Same(Box::new(node.clone()));

@@ -5,7 +5,7 @@ use crate::verify::language::heads::{
     COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, DYNAMICALLY_BALANCED,
     FIRST_ORDER_CHANGE, IMAGINARY_UNIT, JACOBIAN, MOMENT, MOMENT_OF_INERTIA, NATURAL_BASE,
     NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE,
-    STATICALLY_BALANCED, STEP_SIZE, TENSOR_PRODUCT, UNBALANCED, UPHILL,
+    STATICALLY_BALANCED, STEP_SIZE, TENSOR_PRODUCT, TRANSPOSED_ROW, UNBALANCED, UPHILL,
 };
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
@@ -261,6 +261,9 @@ impl Builder<'_> {
             JACOBIAN if rates_in(what).is_none() => self.read_jacobian(subjects, what, declaration),
             STEP_SIZE => self.read_step_size(subjects, declaration),
             REMAINDER => self.read_remainder(subjects, what, declaration),
+            "trace" | "determinant" | "inverse" | "transpose" | TRANSPOSED_ROW => {
+                self.read_made_of_matrix(subjects, what, declaration)
+            }
             "product" | "quotient" => self.read_product(subjects, what, declaration),
             // `e` with a power is the exponential function wherever it stands.
             NATURAL_BASE => {
