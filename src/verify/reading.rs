@@ -4,6 +4,7 @@ pub(crate) mod about_read;
 pub(crate) mod adapted_axes;
 pub(crate) mod any_read;
 mod arithmetic_read;
+mod attitudes_read;
 mod axes_besides;
 mod axes_by_custom;
 pub(crate) mod axes_in_order;

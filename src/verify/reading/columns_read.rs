@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::IDENTITY_MATRIX;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::node_of;
@@ -54,6 +54,26 @@ impl Builder<'_> {
             };
             self.denote(formula, Meaning::Same(Box::new(column)), declaration);
         }
+    }
+}
+
+impl Builder<'_> {
+    /// "`$v$` has the entries `$a$`, `$b$`, `$c$`", where sentences tell what these are, and of the column only this.
+    pub(super) fn is_column_by_entries(
+        &mut self,
+        entries: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> bool {
+        let Some(Term::Formula(column)) = what.slot(Slot::Of) else {
+            return false;
+        };
+        let mut told = |letter: &Formula| {
+            self.quantity_of(letter, declaration).is_some() || self.is_told(letter, declaration)
+        };
+        let alone = what.slots.len() == 1 && entries.len() > 1 && !told(column);
+        let all = formulas(entries).count() == entries.len() && formulas(entries).all(&mut told);
+        alone && all && !self.is_subject(column)
     }
 }
 

@@ -10,6 +10,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{letter_of, node_of};
 use crate::verify::term::letters::{Meaning, Operator, spelled};
+use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
     /// "`$s$` is the trace of `$C$`", "`$H$` is the inverse of `$T$`": that of the letter, whatever it is.
@@ -19,6 +20,11 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
+        if let Some(Term::Phrase(of)) = what.slot(Slot::Of)
+            && matrix_in(what).is_none()
+        {
+            return self.read_inverse_of(subjects, what, of, declaration);
+        }
         let matrix = matrix_in(what)?;
         if what.head == TRANSPOSED_ROW {
             return self.read_columns_of_matrix(subjects, what, declaration);
@@ -42,6 +48,30 @@ impl Builder<'_> {
             _ => return None,
         })?;
         self.denote(letter, Meaning::Same(Box::new(made)), declaration);
+        Some(())
+    }
+
+    /// "the inverse of the inertia tensor of the body about G": of what a noun names.
+    fn read_inverse_of(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        of: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let of = self.quantity(of, declaration)?;
+        let value = self.system().value_of(&of).ok()?;
+        let ground = self.reading.letters.component_frame;
+        let made = match what.head {
+            "trace" => self.system().trace(&value, ground),
+            "inverse" => self.system().inverse(&value),
+            "transpose" => Ok(value.transposed()),
+            _ => return None,
+        };
+        let made = Meaning::Quantity(Quantity::Known(made.ok()?));
+        for letter in formulas(subjects) {
+            self.denote(letter, made.clone(), declaration);
+        }
         Some(())
     }
 

@@ -78,6 +78,7 @@ impl Builder<'_> {
     pub(super) fn turn_by_quaternions(&mut self) {
         for declaration in self.declarations {
             self.turn_by_parts(declaration);
+            self.turn_by_told_attitude(declaration);
             let Statement::Does {
                 verb: "take",
                 slots,

@@ -56,7 +56,7 @@ impl Lowering<'_> {
         let left = self.value(head)?;
         let [argument] = arguments else {
             // No vector is multiplied by a list: these are what it depends on.
-            return match left.is_vector() {
+            return match left.is_vector() || self.turned_by(head, arguments).is_some() {
                 true => Ok(left),
                 false => beyond("a function of several arguments"),
             };

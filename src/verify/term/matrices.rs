@@ -31,8 +31,8 @@ impl Lowering<'_> {
         }
     }
 
-    /// A number and a matrix that are added: where sentences say so, the number is that many times the identity matrix.
-    pub(super) fn beside_matrix(&mut self, a: Value, b: Value) -> Result<(Value, Value), Trouble> {
+    /// A number and a matrix that are added or compared: where sentences say so, the number is that many times the identity matrix.
+    pub(crate) fn beside_matrix(&mut self, a: Value, b: Value) -> Result<(Value, Value), Trouble> {
         if !self.letters.customs.products.adds_identity_at(self.at) {
             return Ok((a, b));
         }
