@@ -1,5 +1,6 @@
 //! The part of the document that a sentence speaks of.
 
+use super::headings::PARTS;
 use super::phrase::ORDINALS;
 use super::reader::{Read, Reader};
 use super::statement::{Extent, Formula};
@@ -15,9 +16,6 @@ pub(super) const LINES: [&str; 4] = ["line", "lines", "row", "rows"];
 const UNITS: [&str; 9] = [
     "problem", "part", "exercise", "question", "example", "chapter", "step", "case", "task",
 ];
-
-/// How parts of a document are called that have a heading.
-const PARTS: [&str; 4] = ["section", "sections", "subsection", "subsections"];
 
 /// How lines with a label are called.
 const EQUATIONS: [&str; 4] = ["equation", "equations", "eq", "eqs"];
@@ -153,34 +151,6 @@ impl Reader<'_> {
             return self.between();
         }
         Ok(vec![])
-    }
-
-    /// "the section", "sections", before a heading.
-    fn take_heads_of_parts(&mut self) -> bool {
-        let start = self.at;
-        self.take("the");
-        let part = self.take_any(&PARTS);
-        if !part {
-            self.at = start;
-        }
-        part
-    }
-
-    /// "\"A\"", "\"A\", \"B\" and \"C\"", "\"A\" and in the section \"B\"": the parts under these headings.
-    fn headings(&mut self) -> Read<Vec<Extent>> {
-        let mut parts = vec![Extent::Section(self.quoted()?)];
-        loop {
-            let start = self.at;
-            let mut goes_on = self.take_separator();
-            if goes_on && self.take("in") {
-                goes_on = self.take_heads_of_parts();
-            }
-            if !goes_on || self.kind() != Some(Kind::Quoted) {
-                self.at = start;
-                return Ok(parts);
-            }
-            parts.push(Extent::Section(self.quoted()?));
-        }
     }
 
     /// Whether a bracket opens some words further on.
@@ -331,21 +301,6 @@ impl Reader<'_> {
                 self.at = start;
                 return Ok(cells);
             }
-        }
-    }
-
-    /// A heading between quotation marks.
-    pub(crate) fn quoted(&mut self) -> Read<String> {
-        let text = self
-            .peek()
-            .filter(|t| t.kind == Kind::Quoted)
-            .map(|t| t.text.clone());
-        match text {
-            Some(text) => {
-                self.at += 1;
-                Ok(text)
-            }
-            None => Err(self.unexpected("heading", "put the heading between quotation marks", &[])),
         }
     }
 

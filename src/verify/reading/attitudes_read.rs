@@ -6,7 +6,7 @@ use crate::verify::language::statement::{
 };
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::{UNIT_VECTOR, letter_of, name_of, name_of_formula};
+use crate::verify::reading::names::{UNIT_VECTOR, letter_of, name_of};
 use crate::verify::reading::parents_read::of_euler_angles;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
@@ -53,24 +53,19 @@ impl Builder<'_> {
         })
     }
 
-    /// Whether a letter is a unit vector of which no sentence says along what it is.
+    /// Whether sentences say of a letter no more than that it is a unit vector.
     fn is_free_unit_vector(&self, about: &Term, axis: &Formula) -> bool {
         let own = |term: &Term| letter_of(term).is_some_and(|letter| letter.source == axis.source);
-        let mut told = matches!(about, Term::Phrase(phrase) if phrase.head == UNIT_VECTOR);
-        for declaration in self.declarations {
-            let Statement::Is { subjects, what } = &declaration.statement else {
-                continue;
-            };
-            if subjects.iter().any(own) {
-                let bare = what.head == UNIT_VECTOR
-                    && what.slots.iter().all(|(slot, _)| *slot == Slot::On);
-                if !bare {
-                    return false;
-                }
-                told = true;
+        let told = self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if subjects.iter().any(own) => {
+                let bare = what.slots.iter().all(|(slot, _)| *slot == Slot::On);
+                what.head != UNIT_VECTOR || !bare
             }
-        }
-        told && self.axes.get(&name_of_formula(axis)).is_none()
+            Statement::Same { subjects, .. } => subjects.iter().any(own),
+            _ => false,
+        });
+        let axis_of_frame = self.number_of_axis(about).is_some();
+        !told && !axis_of_frame && self.directed_elsewhere(axis).is_none()
     }
 
     /// Whether a sentence about all of the document tells how a frame turns by angles.

@@ -9,6 +9,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
     /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
@@ -59,7 +60,7 @@ impl Builder<'_> {
 
 impl Builder<'_> {
     /// "`$v$` has the entries `$a$`, `$b$`, `$c$`", where sentences tell what these are, and of the column only this.
-    pub(super) fn is_column_by_entries(
+    fn is_column_by_entries(
         &mut self,
         entries: &[Term],
         what: &NounPhrase,
@@ -74,6 +75,46 @@ impl Builder<'_> {
         let alone = what.slots.len() == 1 && entries.len() > 1 && !told(column);
         let all = formulas(entries).count() == entries.len() && formulas(entries).all(&mut told);
         alone && all && !self.is_subject(column)
+    }
+
+    /// Entries by their letters, or what a column is by its entries.
+    pub(super) fn read_entries_or_column(
+        &mut self,
+        entries: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        match self.read_column_by_entries(entries, what, declaration) {
+            true => Some(()),
+            false => self.read_entries(entries, what, declaration),
+        }
+    }
+
+    /// The letters with labels are what they were, and no components of the column.
+    fn read_column_by_entries(
+        &mut self,
+        entries: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> bool {
+        let Some(column) = what.slot(Slot::Of).cloned() else {
+            return false;
+        };
+        if !self.is_column_by_entries(entries, what, declaration) {
+            return false;
+        }
+        for entry in formulas(entries) {
+            if self.quantity_of(entry, declaration).is_none()
+                && let Some(value) = self.mentioned_value(entry, declaration)
+            {
+                let known = Meaning::Quantity(Quantity::Known(value));
+                self.denote(entry, known, declaration);
+            }
+        }
+        let of = entries.iter().map(|entry| (Slot::Of, entry.clone()));
+        let what = NounPhrase::new("column", of.collect());
+        self.read_column(&[column], &what, declaration);
+        true
     }
 }
 

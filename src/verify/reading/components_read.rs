@@ -73,10 +73,6 @@ impl Builder<'_> {
         if what.all(Slot::Of).count() > 1 {
             return self.read_components_of_each(subjects, what, declaration);
         }
-        if what.slot(Slot::ForAny).is_some() {
-            let read = self.read_components_operator(subjects, what, declaration);
-            return read.unwrap_or_else(|| self.say_unused(declaration));
-        }
         let what = &without_inner_directions(&self.axes_behind_load(&exceptions_inside(what)));
         let frame = what.slot(Slot::On).and_then(|term| self.frame(term));
         let of = what.slot(Slot::Of).cloned();

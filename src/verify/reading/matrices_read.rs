@@ -14,7 +14,7 @@ use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
     /// "`$s$` is the trace of `$C$`", "`$H$` is the inverse of `$T$`": that of the letter, whatever it is.
-    pub(super) fn read_made_of_matrix(
+    pub(super) fn read_made_of(
         &mut self,
         subjects: &[Term],
         what: &NounPhrase,
@@ -116,7 +116,20 @@ impl Builder<'_> {
     }
 
     /// "`$C_B(v)$` means the components of `$v$` on B, for any vector `$v$`."
-    pub(super) fn read_components_operator(
+    pub(super) fn read_components_or_operator(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        if what.slot(Slot::ForAny).is_none() {
+            return self.read_components(subjects, what, declaration);
+        }
+        let read = self.take_components(subjects, what, declaration);
+        read.unwrap_or_else(|| self.say_unused(declaration));
+    }
+
+    fn take_components(
         &mut self,
         subjects: &[Term],
         what: &NounPhrase,
@@ -150,6 +163,11 @@ impl Builder<'_> {
         self.denote(&Formula::of(head), operator, declaration);
         Some(())
     }
+}
+
+/// Whether a noun says what is made of a matrix.
+pub(super) fn is_made_of_matrix(head: &str) -> bool {
+    matches!(head, "trace" | "determinant" | "inverse" | "transpose") || head == TRANSPOSED_ROW
 }
 
 /// The letter of the matrix that a noun is of.

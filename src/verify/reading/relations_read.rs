@@ -148,12 +148,6 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let of = what.slot(Slot::Of).cloned()?;
-        if self.is_column_by_entries(subjects, what, declaration) {
-            let mut slots = subjects.iter().map(|entry| (Slot::Of, entry.clone()));
-            let column = NounPhrase::new("column", slots.by_ref().collect());
-            self.read_column(&[of], &column, declaration);
-            return Some(());
-        }
         let of = self.operand(&of, declaration)?;
         let on = what
             .slot(Slot::On)

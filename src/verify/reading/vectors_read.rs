@@ -95,11 +95,7 @@ impl Builder<'_> {
                 || matches!(known, Some(Quantity::UnitVector { carried: k, .. }) if carried.is_none() || k == carried);
             let on = what.slot(Slot::On).and_then(|term| self.frame(term));
             if told {
-                // "`$u$` is a unit vector in components on N", of which another sentence has told what turns about it.
-                if let (Some(known @ Quantity::UnitVector { .. }), Some(frame)) = (known, on) {
-                    let on = Quantity::On(known.boxed(), frame);
-                    self.denote(formula, Meaning::Quantity(on), declaration);
-                }
+                self.put_on_axes(formula, known, on, declaration);
                 continue;
             }
             // A letter that another sentence makes an axis is no vector of its own.
@@ -129,6 +125,20 @@ impl Builder<'_> {
                 None => quantity,
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// "`$u$` is a unit vector in components on N", of which another sentence has told what turns about it.
+    fn put_on_axes(
+        &mut self,
+        letter: &Formula,
+        known: Option<Quantity>,
+        on: Option<FrameId>,
+        declaration: &Declaration,
+    ) {
+        if let (Some(known @ Quantity::UnitVector { .. }), Some(frame)) = (known, on) {
+            let on = Quantity::On(known.boxed(), frame);
+            self.denote(letter, Meaning::Quantity(on), declaration);
         }
     }
 
