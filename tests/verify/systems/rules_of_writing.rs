@@ -218,8 +218,8 @@ $$ H = \begin{bmatrix} 1 & sin(\phi)tan(\theta) & cos(\phi)tan(\theta) \\ 0 & co
 $$ H = K $$
 $$ H T = 1 $$
 $$ H + T = 1 $$
-$$ (p, q, r) = T(\dot\phi, \dot\theta, \dot\psi) $$
-$$ (p, q, r) = T^T(\dot\phi, \dot\theta, \dot\psi) $$
+$$ \begin{bmatrix} p \\ q \\ r\end{bmatrix} = T\begin{bmatrix} \dot\phi \\ \dot\theta \\ \dot\psi\end{bmatrix} $$
+$$ \begin{bmatrix} p \\ q \\ r\end{bmatrix} = T^T\begin{bmatrix} \dot\phi \\ \dot\theta \\ \dot\psi\end{bmatrix} $$
 ";
     let sentences = format!("{AIRCRAFT}{sentences}");
     assert_eq!(judged(&sentences, text), "prpprpr");
