@@ -55,6 +55,7 @@ mod gaps;
 mod generalised_momenta;
 mod gyration;
 mod hanging;
+mod headings;
 pub(crate) mod heads;
 mod hinges;
 mod hung_rods;

@@ -45,6 +45,7 @@ mod remarks_and_signs;
 mod rods;
 mod rolling;
 mod round_surfaces;
+mod rules_of_writing;
 mod scenes;
 mod shapes_and_wholes;
 mod shapes_left_open;

@@ -199,6 +199,11 @@ impl<'a> Lexer<'a> {
             "textcolor" | "colorbox" | "cancelto" => {
                 let _ = self.braced();
             }
+            // Without a brace the font is that of the letter behind it.
+            "textbf" | "textit" if !self.rest().trim_start().starts_with('{') => {
+                let font = if name == "textbf" { "mathbf" } else { "mathit" };
+                self.push(Lexeme::Command(font), start);
+            }
             _ if is_text(name) => {
                 let text = unwrapped(self.braced());
                 match index_behind(text).filter(|_| self.rest().trim_start().starts_with('=')) {

@@ -11,6 +11,12 @@ const LONGEST_WORD: usize = 64;
 /// Functions that may run into their argument: `sinx`.
 const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "sqrt"];
 
+/// Functions that authors write without a backslash.
+const WORDS: &[&str] = &[
+    "sin", "cos", "tan", "cot", "sec", "csc", "exp", "sqrt", "det", "diag", "arcsin", "arccos",
+    "arctan", "sinh", "cosh", "tanh",
+];
+
 impl<'a> Lexer<'a> {
     /// Letters that touch: in LaTeX a symbol each, in plain text a word where its meaning is known.
     pub(super) fn letters(&mut self, c: char, start: usize) {
@@ -25,8 +31,27 @@ impl<'a> Lexer<'a> {
             }
             self.at = start + 1;
         }
+        if self.letters == Letters::Single && self.function_word(start) {
+            return;
+        }
         self.letter(Lexeme::Letter(c), start);
         self.number_of_letter(start);
+    }
+
+    /// `cos(\theta)` in LaTeX, without the backslash that it should have.
+    fn function_word(&mut self, start: usize) -> bool {
+        let word = run(&self.text[start..], |b| b.is_ascii_alphabetic());
+        let before = self.text[..start].chars().next_back();
+        let behind = self.text[start + word.len()..].trim_start();
+        let alone = !before.is_some_and(|c| c.is_alphabetic() || c == '\\');
+        let called = behind.starts_with(['(', '^']) || behind.starts_with("\\left(");
+        let function = WORDS.iter().find(|function| **function == word);
+        let Some(function) = function.filter(|_| alone && called) else {
+            return false;
+        };
+        self.at = start + word.len();
+        self.push(Lexeme::Command(function), start);
+        true
     }
 
     /// A word whose meaning is known; its tokens are those of the same thing in LaTeX.

@@ -163,6 +163,20 @@ impl<'a> Parser<'_, 'a> {
         self.call(node, start)
     }
 
+    /// The letter of a set of numbers.
+    fn board(&mut self, name: &str, start: usize) -> Node {
+        let symbol = Symbol {
+            name: name.to_owned(),
+            style: Style {
+                tensor: true,
+                ..Style::default()
+            },
+            ..Symbol::default()
+        };
+        let node = self.node(Kind::Symbol(symbol), start);
+        self.scripts(node, start)
+    }
+
     /// A word in upright letters.
     pub(super) fn upright(&mut self, name: String, start: usize) -> Node {
         let style = Style {
@@ -192,7 +206,12 @@ impl<'a> Parser<'_, 'a> {
                 return self.node(Kind::Tuple(entries), start);
             }
             let node = self.inside(inside).whole();
-            return self.scripts(node, start);
+            let node = self.scripts(node, start);
+            // `{\bf C}_A(v)` is one letter with what it is applied to.
+            return match node.kind {
+                Kind::Symbol(_) => self.call(node, start),
+                _ => node,
+            };
         }
         self.prescripted(start)
     }
@@ -279,7 +298,10 @@ impl<'a> Parser<'_, 'a> {
             _ if super::function::named(name).is_some() => self.function(name, start),
             _ => match letter::greek(name) {
                 Some(name) => self.symbol(name.to_owned(), start),
-                None => self.unknown(name, start),
+                None => match letter::set_of_numbers(name) {
+                    Some(set) => self.board(set, start),
+                    None => self.unknown(name, start),
+                },
             },
         }
     }

@@ -18,6 +18,17 @@ pub(super) fn greek(name: &str) -> Option<&'static str> {
     GREEK.iter().find(|g| **g == name).copied()
 }
 
+/// The letter of the set of numbers that a command means where the document doesn't define it: `\R`.
+pub(super) fn set_of_numbers(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "R" | "Reals" | "reals" => "R",
+        "N" | "natnums" => "N",
+        "C" | "Complex" | "cnums" => "C",
+        "Z" => "Z",
+        _ => return None,
+    })
+}
+
 /// Whether a command puts something on its argument.
 pub(crate) fn takes_argument(name: &str) -> bool {
     dots(name).is_some() || mark(name).is_some() || matches!(name, "operatorname" | "mathring")

@@ -1,6 +1,7 @@
 //! One relation: sides, signs of relation, labels and remarks.
 
 use super::factor::is_relation;
+use super::letter::set_of_numbers;
 use super::text::{Words, is_constant, is_unit, words};
 use super::{Parser, nesting};
 use crate::notation::ast::{Kind, Line, Node, Relation};
@@ -86,9 +87,10 @@ fn without_end_mark(tokens: &mut Vec<Token<'_>>) {
         let script = scripted && matches!(t.kind, Lexeme::Open | Lexeme::Close);
         number || script || is_script(t.kind) || is_blank(t) || t.kind == Lexeme::Char('.')
     });
-    // A sign before it waits for an operand.
+    // A sign before it waits for an operand, and alone it closes nothing.
     let before = trimmed(&tokens[..at]).last();
-    if closes && !before.is_some_and(|t| super::group::is_sign(t.kind) || is_script(t.kind)) {
+    let waits = |t: &Token<'_>| super::group::is_sign(t.kind) || is_script(t.kind);
+    if closes && !before.is_none_or(waits) {
         tokens.truncate(at);
     }
 }
@@ -100,15 +102,20 @@ fn without_range(tokens: &mut Vec<Token<'_>>) {
         return;
     };
     let mut behind = tokens[at + 1..].iter().filter(|t| !is_blank(t));
-    let board = behind.next().map(|t| t.kind) == Some(Lexeme::Command("mathbb"));
+    let board = behind.next().is_some_and(|t| match t.kind {
+        Lexeme::Command(name) => name == "mathbb" || set_of_numbers(name).is_some(),
+        _ => false,
+    });
     let of_numbers = behind.all(|t| match t.kind {
         Lexeme::Letter(_) | Lexeme::Number(_) | Lexeme::Open | Lexeme::Close => true,
         Lexeme::Command(name) => name == "times",
         kind => is_script(kind),
     });
-    let mut before = relations(&tokens[..at]).into_iter();
+    // Alone it says of what kind the value is, and relates nothing.
+    let before = relations(&tokens[..at]);
+    let related = before.is_empty() || before.iter().any(|(.., r)| *r == Relation::Equal);
     let closed = tokens[..at].iter().map(nesting).sum::<i32>() == 0;
-    if board && of_numbers && closed && before.any(|(.., r)| r == Relation::Equal) {
+    if board && of_numbers && closed && related {
         tokens.truncate(at);
     }
 }

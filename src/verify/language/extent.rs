@@ -1,5 +1,6 @@
 //! The part of the document that a sentence speaks of.
 
+use super::headings::PARTS;
 use super::phrase::ORDINALS;
 use super::reader::{Read, Reader};
 use super::statement::{Extent, Formula};
@@ -59,7 +60,7 @@ impl Reader<'_> {
             "in" | "on" if EQUATIONS.contains(&next) => true,
             "between" => LINES.contains(&next),
             "in" if UNITS.contains(&next) => self.numbered(2),
-            "in" => next == "section" || next == "the" && self.word_at(2) == "section",
+            "in" => PARTS.contains(&next) || next == "the" && PARTS.contains(&self.word_at(2)),
             "from" | "until" => next == "line" && number(2),
             "up" => next == "to" && self.word_at(2) == "line" && number(3),
             _ => false,
@@ -121,13 +122,13 @@ impl Reader<'_> {
                 self.at += 2;
                 return Ok(vec![Extent::Section(title)]);
             }
-            if self.take("the section") || self.take("section") {
-                return Ok(vec![Extent::Section(self.quoted()?)]);
+            if self.take_heads_of_parts() {
+                return self.headings();
             }
         }
         self.at = start;
-        if self.take("under the heading") {
-            return Ok(vec![Extent::Section(self.quoted()?)]);
+        if self.take("under the heading") || self.take("under the headings") {
+            return self.headings();
         }
         if self.word() == "from" && self.opens(1) {
             return self.behind_label();
@@ -300,21 +301,6 @@ impl Reader<'_> {
                 self.at = start;
                 return Ok(cells);
             }
-        }
-    }
-
-    /// A heading between quotation marks.
-    pub(crate) fn quoted(&mut self) -> Read<String> {
-        let text = self
-            .peek()
-            .filter(|t| t.kind == Kind::Quoted)
-            .map(|t| t.text.clone());
-        match text {
-            Some(text) => {
-                self.at += 1;
-                Ok(text)
-            }
-            None => Err(self.unexpected("heading", "put the heading between quotation marks", &[])),
         }
     }
 

@@ -10,6 +10,22 @@ macro_rules! heads {
 }
 
 heads! {
+    /// A number in a sum with a matrix.
+    NUMBER_BESIDE_MATRIX = "number beside a matrix";
+    /// What such a number means.
+    TIMES_IDENTITY = "times the identity";
+    /// A cross between a vector and a matrix.
+    CROSS_WITH_MATRIX = "cross between a vector and a matrix";
+    /// What such a cross means.
+    COLUMN_BY_COLUMN = "column by column";
+    /// What stands between them is a length.
+    DOUBLE_BARS = "double bars";
+    /// A quaternion without scalar part, by its vector.
+    PURE_QUATERNION = "pure quaternion";
+    /// A vector after it was turned about another one by an angle.
+    TURNED_VECTOR = "turned vector";
+    /// A row of a matrix as a column.
+    TRANSPOSED_ROW = "transposed row";
     ANGULAR_VELOCITY = "angular velocity";
     POSITION = "position";
     /// The adverb of what moves smoothly.

@@ -21,9 +21,32 @@ pub(crate) fn each_of_its_own(subjects: Vec<Term>, what: NounPhrase) -> Vec<Stat
     }
     let one = |(number, subject): (usize, Term)| Statement::Is {
         subjects: vec![subject],
-        what: in_turn(&what, number, count),
+        what: single(in_turn(&what, number, count)),
     };
     subjects.into_iter().enumerate().map(one).collect()
+}
+
+/// "the mass and the radius of the disc", "the x axis and the z axis of N": what hangs on the last of several nouns hangs on
+/// those that have nothing, and on axes that have only their names.
+pub(super) fn share_slots(what: &mut NounPhrase, last: &[(Slot, Term)]) {
+    let named = |(slot, _): &(Slot, Term)| *slot == Slot::Which;
+    if what.slots.is_empty() {
+        what.slots = last.to_vec();
+    } else if what.head == "axis" && what.slots.iter().all(named) {
+        what.slots
+            .extend(last.iter().filter(|s| !named(s)).cloned());
+    }
+}
+
+/// "the axes x and z of N", of which each letter is one: the axis x of N.
+fn single(what: NounPhrase) -> NounPhrase {
+    match (what.head, what.slot(Slot::Which)) {
+        ("axes", Some(_)) => NounPhrase {
+            head: "axis",
+            ..what
+        },
+        _ => what,
+    }
 }
 
 /// "along the x, y, z axes of B": along each of these axes.

@@ -52,7 +52,14 @@ pub(crate) fn unknown_bound(bound: &str) -> String {
     format!("no sentence says how far a sum up to `{bound}` runs")
 }
 /// Why what is said of motions nearby is not denied.
+pub(crate) const WIDER_MEANINGS: &str =
+    "it holds by what its letters mean outside the section in which they are told anew";
 pub(crate) const OTHER_MOTIONS: &str = "what is told of this motion may hold in motions nearby";
+
+/// Why a line is left open that may tell how a frame turns.
+pub(crate) fn untold_attitude(frame: &str) -> String {
+    format!("no sentence says how {frame} turns, and this may say it")
+}
 
 /// The name of the point from which a frame's places are counted, where the author gives none.
 pub(crate) fn origin_of(frame: &str) -> String {

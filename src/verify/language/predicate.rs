@@ -2,6 +2,7 @@
 
 use super::clause::as_formula;
 use super::decide::decide;
+use super::in_turn::share_slots;
 use super::is_body;
 use super::lexicon::{Class, Entry, Inflection};
 use super::phrase::NOUNS;
@@ -209,8 +210,8 @@ impl<'a> Reader<'a> {
         let one = |(subject, mut what): (&Term, NounPhrase)| {
             // An inertial frame and a frame fixed in the body are each by itself.
             let thing = matches!(what.head, "frame" | "point") || is_body(what.head);
-            if what.slots.is_empty() && !thing {
-                what.slots.clone_from(&last);
+            if !thing {
+                share_slots(&mut what, &last);
             }
             what.slots.extend(behind.iter().cloned());
             Statement::Is {

@@ -17,7 +17,14 @@ pub(super) fn with_things(
 ) -> Option<Statement> {
     let pairs: Vec<(&str, &Term)> = any.iter().map(String::as_str).zip(chosen).collect();
     let told = |slots: &[(Slot, Term)]| -> Option<Vec<(Slot, Term)>> {
-        let others = slots.iter().filter(|(slot, _)| *slot != Slot::ForAny);
+        // Vectors and angles stay what they are: "for any frame X and any vector `$v$`".
+        let letter = |term: &Term| {
+            let index = indexed(term).map(|(_, index)| index);
+            matches!(term, Term::Formula(_)) && index.is_none_or(|index| !any.contains(&index))
+        };
+        let others = slots
+            .iter()
+            .filter(|(slot, term)| *slot != Slot::ForAny || letter(term));
         others
             .map(|(slot, term)| Some((*slot, with_names(term, &pairs)?)))
             .collect()
@@ -81,6 +88,22 @@ fn with_names(term: &Term, pairs: &[(&str, &Term)]) -> Option<Term> {
         }
         other => other.clone(),
     })
+}
+
+/// The letter and the index of a name such as `$F_\\alpha$`.
+pub(super) fn indexed(term: &Term) -> Option<(String, String)> {
+    let Term::Formula(formula) = term else {
+        return None;
+    };
+    match &node_of(formula)?.kind {
+        Kind::Symbol(symbol) if symbol.superscripts.is_empty() => {
+            let [index] = symbol.subscripts.as_slice() else {
+                return None;
+            };
+            Some((symbol.name.clone(), index.clone()))
+        }
+        _ => None,
+    }
 }
 
 /// A thing as it stands in a label.

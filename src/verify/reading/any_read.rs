@@ -3,7 +3,7 @@
 use crate::notation::ast::Kind;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::reading::any_put_in::with_things;
+use crate::verify::reading::any_put_in::{indexed, with_things};
 use crate::verify::reading::label_read::named_by_labels;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of};
@@ -41,16 +41,20 @@ pub(crate) fn instances(
         if let Some(made) = of_any_angle(declaration, &angles) {
             return made;
         }
-        let Some(any) = any_things(&declaration.statement) else {
+        let by_index = any_by_index(&declaration.statement, &frames);
+        let by_name = || {
+            let any = any_things(&declaration.statement)?;
+            let kinds = any.iter().map(|thing| {
+                let of_point = stands_for_point(&declaration.statement, thing);
+                if of_point { points.clone() } else { frames.clone() }
+            });
+            let kinds = kinds.collect();
+            Some((any, kinds))
+        };
+        let Some((any, kinds)) = by_index.or_else(by_name) else {
             return vec![declaration.clone()];
         };
-        let indices = indices_of_any(&declaration.statement, &frames);
-        let kinds = any.iter().enumerate().map(|(at, thing)| match &indices {
-            Some(indices) => &indices[at],
-            None if stands_for_point(&declaration.statement, thing) => &points,
-            None => &frames,
-        });
-        let kinds: Vec<&Vec<Term>> = kinds.collect();
+        let kinds: Vec<&Vec<Term>> = kinds.iter().collect();
         let mut made = vec![];
         for chosen in choices(&kinds).into_iter().take(MOST) {
             let statement = with_things(&declaration.statement, &any, &chosen);
@@ -241,43 +245,31 @@ pub(super) fn any_things(statement: &Statement) -> Option<Vec<String>> {
         _ => return None,
     };
     let any = slots.iter().filter(|(slot, _)| *slot == Slot::ForAny);
-    let names: Option<Vec<String>> = any
+    // Vectors and angles stay what they are: "for any frame X and any vector `$v$`".
+    let things = any.filter(|(_, term)| !matches!(term, Term::Formula(_)));
+    let names: Option<Vec<String>> = things
         .map(|(_, term)| match term {
             Term::Name(name) if name.chars().count() == 1 => Some(name.clone()),
-            term => indexed(term).map(|(_, index)| index),
+            _ => None,
         })
         .collect();
     names.filter(|names| !names.is_empty() && names.len() <= 3)
 }
 
-/// The letter and the index of a name such as `$F_\\alpha$`.
-fn indexed(term: &Term) -> Option<(String, String)> {
-    let Term::Formula(formula) = term else {
-        return None;
-    };
-    match &node_of(formula)?.kind {
-        Kind::Symbol(symbol) if symbol.superscripts.is_empty() => {
-            let [index] = symbol.subscripts.as_slice() else {
-                return None;
-            };
-            Some((symbol.name.clone(), index.clone()))
-        }
-        _ => None,
-    }
-}
-
-/// The indices of the things that have a name of one letter with an index, for each such thing of which a sentence speaks as
-/// of any.
-fn indices_of_any(statement: &Statement, things: &[Term]) -> Option<Vec<Vec<Term>>> {
+/// "for any frames `$F_\alpha$` and `$F_\beta$`": the indices, and for each those of the frames with such names.
+fn any_by_index(statement: &Statement, frames: &[Term]) -> Option<(Vec<String>, Vec<Vec<Term>>)> {
     let any = statement.slots().flatten();
     let any = any.filter(|(slot, _)| *slot == Slot::ForAny);
-    let letters: Option<Vec<String>> = any.map(|(_, term)| Some(indexed(term)?.0)).collect();
-    let own = |letter: &String| -> Vec<Term> {
-        let named = things.iter().filter_map(indexed);
-        let same = named.filter(|(other, _)| other == letter);
+    let named: Option<Vec<(String, String)>> = any.map(|(_, term)| indexed(term)).collect();
+    let named = named.filter(|named| !named.is_empty() && named.len() <= 3)?;
+    let own = |(letter, _): &(String, String)| -> Vec<Term> {
+        let same = frames.iter().filter_map(indexed);
+        let same = same.filter(|(other, _)| other == letter);
         same.map(|(_, index)| Term::Name(index)).collect()
     };
-    Some(letters?.iter().map(own).collect())
+    let kinds: Vec<Vec<Term>> = named.iter().map(own).collect();
+    let indices = named.into_iter().map(|(_, index)| index).collect();
+    (!kinds.iter().any(Vec::is_empty)).then_some((indices, kinds))
 }
 
 /// Whether a name stands where a point does: of a position, or from where it is measured.

@@ -5,6 +5,7 @@ use crate::verify::language::heads::VERTICAL;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::{Key, Nature, Space};
 use crate::verify::model::system::{Axis, FrameId, Turn};
+use crate::verify::reading::axes_by_custom::places_of_axes;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{along_of, name_of, node_of, written};
 use crate::verify::term::letters::{At, Letter, Meaning, loosely, spelled};
@@ -121,7 +122,7 @@ impl Builder<'_> {
             };
             let frame = what.slot(Slot::Of).and_then(|of| self.frame(of));
             let which = what.slot(Slot::Which);
-            for (place, subject) in subjects.iter().enumerate() {
+            for (place, subject) in places_of_axes(subjects) {
                 let axis = match what.head {
                     "axes" => Some(place).filter(|place| *place < 3),
                     "axis" => which.and_then(|which| self.number_of_axis(which)),

@@ -2,11 +2,11 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::VERTICAL;
-use crate::verify::language::messages::numbered_frame;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
 use crate::verify::model::system::{FrameId, Vector};
+use crate::verify::reading::axes_by_custom::{labelled_alike, places_of_axes, same_label};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::frames_read::CUSTOMARY;
 use crate::verify::reading::incline_read::Lie;
@@ -112,10 +112,11 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         };
         let on = what.slot(Slot::On).and_then(|on| self.frame(on));
-        if subjects.len() > 3 {
+        // "the axes x and z of N", and not as many letters: which is which is not told.
+        if subjects.len() > 3 || what.slot(Slot::Which).is_some() {
             return self.say_unused(declaration);
         }
-        for (axis, subject) in subjects.iter().enumerate() {
+        for (axis, subject) in places_of_axes(subjects) {
             match (on, subject) {
                 (Some(on), Term::Formula(letter)) => {
                     self.denote_column(letter, (frame, axis), on, declaration);
@@ -132,9 +133,8 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) {
         let frame = what.slot(Slot::Of).and_then(|term| self.frame(term));
-        let axis = what
-            .slot(Slot::Which)
-            .and_then(|term| self.number_of_axis(term));
+        let which = what.slot(Slot::Which);
+        let axis = which.and_then(|which| self.number_of_axis_on(which, frame));
         let on = what.slot(Slot::On).and_then(|on| self.frame(on));
         match (frame, axis, subjects, on) {
             // "in components on B"
@@ -365,6 +365,12 @@ impl Builder<'_> {
         }
     }
 
+    /// The number of an axis by its name or letter, which on a frame is the one that it has there.
+    fn number_of_axis_on(&self, term: &Term, frame: Option<FrameId>) -> Option<usize> {
+        let told = || self.axes.of(&name_of(term)?, frame?);
+        told().or_else(|| self.number_of_axis(term))
+    }
+
     /// The number of an axis by its name or letter.
     pub(super) fn number_of_axis(&self, term: &Term) -> Option<usize> {
         if let Term::Numbers(numbers) = term {
@@ -385,31 +391,4 @@ impl Builder<'_> {
             .find_map(|names| names.iter().position(|n| *n == name));
         self.axes.get(&name).map(|(_, axis)| *axis).or(custom)
     }
-}
-
-/// Unit vectors along the axes, as they are called most often.
-const UNIT_VECTORS: [&str; 3] = ["i", "j", "k"];
-
-/// Whether two axes are called alike: `b_3` and `n_3`, `Z` and `z`.
-fn same_label(one: &str, other: &str) -> bool {
-    let [one, other] = [one, other].map(|name| {
-        let label = name.rsplit('_').next().unwrap_or(name);
-        let label = label.trim_start_matches("\\hat ").to_lowercase();
-        let customary = CUSTOMARY.iter().chain([&UNIT_VECTORS]);
-        let place = customary
-            .filter_map(|names| names.iter().position(|n| *n == label))
-            .next();
-        (place, label)
-    });
-    one.1 == other.1 || one.0.is_some() && one.0 == other.0
-}
-
-/// Whether two axes have one letter, each with its frame for the label: `Z_1` of 1 and `Z_0` of 0.
-fn labelled_alike(one: (&str, &str), other: (&str, &str)) -> bool {
-    let letter = |(name, frame): (&'_ str, &'_ str)| {
-        let (letter, label) = name.split_once('_')?;
-        let own = label == frame || numbered_frame(label) == frame;
-        own.then(|| letter.to_owned())
-    };
-    letter(one).is_some() && letter(one) == letter(other)
 }

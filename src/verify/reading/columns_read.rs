@@ -4,11 +4,12 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::{Macros, read_formula};
 use crate::verify::language::heads::IDENTITY_MATRIX;
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
 
 impl Builder<'_> {
     /// "`\theta` is the column of `\phi`, `\theta` and `\psi`."
@@ -18,8 +19,13 @@ impl Builder<'_> {
         what: &NounPhrase,
         declaration: &Declaration,
     ) {
-        if let (Some(Term::Formula(column)), [Term::Formula(letter)]) =
-            (what.slot(Slot::Which), subjects)
+        let mut of_matrix = || self.read_columns_of_matrix(subjects, what, declaration);
+        if what.head == "column" && column_of_identity(what).is_none() && of_matrix().is_some() {
+            return;
+        }
+        // "the column `$a$`", and not "the column `$i$` of `$Q$`"
+        if let (Some(Term::Formula(column)), [Term::Formula(letter)], None) =
+            (what.slot(Slot::Which), subjects, what.slot(Slot::Of))
             && let Some(node) = node_of(column)
         {
             let same = Meaning::Same(Box::new(node.clone()));
@@ -49,6 +55,66 @@ impl Builder<'_> {
             };
             self.denote(formula, Meaning::Same(Box::new(column)), declaration);
         }
+    }
+}
+
+impl Builder<'_> {
+    /// "`$v$` has the entries `$a$`, `$b$`, `$c$`", where sentences tell what these are, and of the column only this.
+    fn is_column_by_entries(
+        &mut self,
+        entries: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> bool {
+        let Some(Term::Formula(column)) = what.slot(Slot::Of) else {
+            return false;
+        };
+        let mut told = |letter: &Formula| {
+            self.quantity_of(letter, declaration).is_some() || self.is_told(letter, declaration)
+        };
+        let alone = what.slots.len() == 1 && entries.len() > 1 && !told(column);
+        let all = formulas(entries).count() == entries.len() && formulas(entries).all(&mut told);
+        alone && all && !self.is_subject(column)
+    }
+
+    /// Entries by their letters, or what a column is by its entries.
+    pub(super) fn read_entries_or_column(
+        &mut self,
+        entries: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        match self.read_column_by_entries(entries, what, declaration) {
+            true => Some(()),
+            false => self.read_entries(entries, what, declaration),
+        }
+    }
+
+    /// The letters with labels are what they were, and no components of the column.
+    fn read_column_by_entries(
+        &mut self,
+        entries: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> bool {
+        let Some(column) = what.slot(Slot::Of).cloned() else {
+            return false;
+        };
+        if !self.is_column_by_entries(entries, what, declaration) {
+            return false;
+        }
+        for entry in formulas(entries) {
+            if self.quantity_of(entry, declaration).is_none()
+                && let Some(value) = self.mentioned_value(entry, declaration)
+            {
+                let known = Meaning::Quantity(Quantity::Known(value));
+                self.denote(entry, known, declaration);
+            }
+        }
+        let of = entries.iter().map(|entry| (Slot::Of, entry.clone()));
+        let what = NounPhrase::new("column", of.collect());
+        self.read_column(&[column], &what, declaration);
+        true
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    CONJUGATE, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
-    TENSOR_PRODUCT, TWO_DOTS,
+    CONJUGATE, DOUBLE_BARS, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE,
+    SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{Formula, NotationMeaning, Sign, Slot};
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, node_of};
@@ -28,6 +28,7 @@ pub(super) fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
                 | QUATERNION_PRODUCT
                 | "transpose"
         ),
+        Sign::Custom(DOUBLE_BARS) => matches!(phrase.head, "magnitude" | "length"),
         Sign::Custom(SQUARE_OF_VECTOR | FULL_STOP) => phrase.head == "dot product",
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,

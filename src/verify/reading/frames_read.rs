@@ -172,6 +172,7 @@ impl Builder<'_> {
         for declaration in angles {
             self.read_euler_angles(declaration);
         }
+        self.hold_told_attitudes();
         self.read_lines();
     }
 

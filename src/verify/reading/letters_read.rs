@@ -17,6 +17,7 @@ use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::{Builder, place_in};
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::loads_read::{is_force_at, rests_for_long};
+use crate::verify::reading::matrices_read::is_made_of_matrix;
 use crate::verify::reading::named_loads_read::{may_be_size, names_load};
 use crate::verify::reading::names::{
     CROSS_PRODUCT_MATRIX, EULER_ANGLES, MASS_CENTRE, PRINCIPAL_MOMENTS, PRODUCTS, UNIT_VECTOR,
@@ -185,7 +186,7 @@ impl Builder<'_> {
             return;
         }
         match what.head {
-            "component" => self.read_components(subjects, what, declaration),
+            "component" => self.read_components_or_operator(subjects, what, declaration),
             PRODUCTS | OTHER_PRODUCTS => self.read_products(subjects, what, declaration),
             PRINCIPAL_MOMENTS => self.read_principal_moments(subjects, what, declaration),
             _ if tells_gravity(what) => self.read_gravity(subjects, what, declaration),
@@ -250,7 +251,7 @@ impl Builder<'_> {
                 self.read_angle(subjects, what, declaration)
             }
             "angle" if self.is_angle_by_turns(subjects, what, declaration) => Some(()),
-            "entry" => self.read_entries(subjects, what, declaration),
+            "entry" => self.read_entries_or_column(subjects, what, declaration),
             "value" => self.read_value(subjects, what, declaration),
             PERIOD | FREQUENCY | ANGULAR_FREQUENCY => {
                 self.read_oscillation(subjects, what, declaration)
@@ -261,6 +262,7 @@ impl Builder<'_> {
             JACOBIAN if rates_in(what).is_none() => self.read_jacobian(subjects, what, declaration),
             STEP_SIZE => self.read_step_size(subjects, declaration),
             REMAINDER => self.read_remainder(subjects, what, declaration),
+            head if is_made_of_matrix(head) => self.read_made_of(subjects, what, declaration),
             "product" | "quotient" => self.read_product(subjects, what, declaration),
             // `e` with a power is the exponential function wherever it stands.
             NATURAL_BASE => {

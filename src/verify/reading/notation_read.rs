@@ -2,9 +2,10 @@
 
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
-    COLUMN_OF_VECTORS, COLUMNS_OF_TWO, DECIMAL_NUMBERS, DOT_OF_MATRICES, FRAME_ABOVE,
-    FRAME_BEFORE_RATE, INSTANT, LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, QUATERNION_DOT,
-    RATE_FROM_FRAME, ROWS_OF_MATRIX, TENSOR_PRODUCT, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
+    COLUMN_BY_COLUMN, COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CROSS_WITH_MATRIX, DECIMAL_NUMBERS,
+    DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE, IDENTITY_MATRIX, INSTANT, LIST,
+    MATRIX_PRODUCT, NOT_SUMMED, NOTHING, NUMBER_BESIDE_MATRIX, QUATERNION_DOT, RATE_FROM_FRAME,
+    ROWS_OF_MATRIX, TENSOR_PRODUCT, TIMES_IDENTITY, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
 };
 use crate::verify::language::rate_letters::rate_letter;
 use crate::verify::language::statement::{
@@ -21,6 +22,9 @@ use crate::verify::reading::names::{
 use crate::verify::reading::operators_read::{component_of_cross, is_quaternion_product};
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
+
+/// The signs of a dot between factors.
+const DOTS: [&str; 2] = ["\\cdot", "·"];
 
 impl Builder<'_> {
     /// Takes in the rules of notation.
@@ -41,7 +45,14 @@ impl Builder<'_> {
                     }
                     self.number_things(subjects, slots, declaration);
                 }
-                Statement::Is { subjects, what } => self.read_convention(subjects, what),
+                Statement::Is { subjects, what } => {
+                    self.read_convention(subjects, what);
+                    if what.head == IDENTITY_MATRIX && subjects.iter().any(is_one) {
+                        let reach = reach_of(&declaration.extent);
+                        let products = &mut self.reading.letters.customs.products;
+                        products.numbers_beside_matrices.push(reach);
+                    }
+                }
                 _ => {}
             }
         }
@@ -184,8 +195,16 @@ impl Builder<'_> {
                     .matrices_crossed
                     .push(reach.clone());
             }
+            (Sign::Custom(NUMBER_BESIDE_MATRIX), NotationMeaning::Fixed(TIMES_IDENTITY)) => {
+                let products = &mut letters.customs.products;
+                products.numbers_beside_matrices.push(reach.clone());
+            }
+            // Between matrices, and before one, a dot is no other product.
+            (Sign::Operator(dot), NotationMeaning::Fixed(MATRIX_PRODUCT))
+                if DOTS.contains(&dot.source.trim()) => {}
             // Which axes columns of two are on is read behind the signs.
             (Sign::Custom(COLUMNS_OF_TWO), _)
+            | (Sign::Custom(CROSS_WITH_MATRIX), NotationMeaning::Fixed(COLUMN_BY_COLUMN))
             | (Sign::Custom(COLUMN_OF_VECTORS), NotationMeaning::Fixed(LIST))
             | (Sign::Custom(DOT_OF_MATRICES), NotationMeaning::Fixed(MATRIX_PRODUCT)) => {}
             _ => return is_custom(sign, meaning) || *meaning == NotationMeaning::Fixed(NOTHING),
@@ -336,6 +355,15 @@ impl Builder<'_> {
             NotationMeaning::Fixed(_) => Some(Effect::Itself),
             NotationMeaning::FunctionsOf(_) => None,
         }
+    }
+}
+
+/// "`$1$`", of which a sentence says that it is the identity matrix.
+pub(super) fn is_one(term: &Term) -> bool {
+    match term {
+        Term::Formula(formula) => formula.source.trim() == "1",
+        Term::Numbers(numbers) => numbers == &[1],
+        _ => false,
     }
 }
 

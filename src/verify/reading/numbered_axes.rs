@@ -1,6 +1,7 @@
 //! Axes by a letter that numbers them.
 
 use crate::notation::ast::{Kind, Node, Symbol};
+use crate::verify::language::heads::TRANSPOSED_ROW;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::names::{index_letter, node_of};
 use crate::verify::term::indices::with_number;
@@ -61,6 +62,9 @@ impl<'d> Axes<'d> {
         let own = match (what.head, what.slot(Slot::Which)) {
             ("axes", None) => index.chars().all(char::is_alphabetic) && index.len() == 1,
             ("axis", Some(Term::Formula(which))) => index_letter(which) == *index,
+            ("column" | TRANSPOSED_ROW, Some(Term::Formula(which))) => {
+                index_letter(which) == *index && what.slot(Slot::Of).is_some()
+            }
             _ => false,
         };
         own.then(|| Self {
@@ -84,6 +88,14 @@ impl<'d> Axes<'d> {
         }
     }
 
+    /// Columns are counted as the axes are.
+    fn counted(&self) -> NounPhrase {
+        match self.what.head {
+            "axes" => self.what.clone(),
+            _ => NounPhrase::new("axes", vec![]),
+        }
+    }
+
     fn numbered(&self) -> Statement {
         let index = self.with(|_| Symbol {
             name: self.index.clone(),
@@ -92,17 +104,20 @@ impl<'d> Axes<'d> {
         Statement::Does {
             subjects: vec![index],
             verb: "number",
-            slots: vec![(Slot::Of, Term::Phrase(Box::new(self.what.clone())))],
+            slots: vec![(Slot::Of, Term::Phrase(Box::new(self.counted())))],
         }
     }
 }
 
-/// "The axis `$i$` of B": the axes of B.
+/// "The axis `$i$` of B", "the column `$i$` of `$Q$`": the axes of B, the columns of Q.
 fn all_axes(axis: &NounPhrase) -> NounPhrase {
     let slots = axis.slots.iter();
     let slots = slots.filter(|(slot, _)| *slot != Slot::Which);
     NounPhrase {
-        head: "axes",
+        head: match axis.head {
+            "axis" => "axes",
+            head => head,
+        },
         adjectives: axis.adjectives.clone(),
         slots: slots.cloned().collect(),
     }

@@ -3,13 +3,14 @@
 use crate::algebra::{Fraction, Variable};
 use crate::notation::ast::Kind;
 use crate::verify::facts::small::Small;
-use crate::verify::language::heads::DISTURBANCE;
+use crate::verify::language::heads::{DISTURBANCE, IDENTITY_MATRIX};
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{node_of, reach_of};
+use crate::verify::reading::notation_read::is_one;
 use crate::verify::term::labels::plain;
 use crate::verify::term::letters::{Meaning, spell, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -28,6 +29,7 @@ impl Builder<'_> {
             DISTURBANCE => what.slots.is_empty(),
             "function" => what.slots.iter().all(|(_, of)| time(of)),
             "right-handed" => true,
+            IDENTITY_MATRIX => subjects.iter().all(is_one),
             "transpose" => formulas(subjects).all(|f| is_written_transpose(f, what)),
             // A sign that is left open is one of the two.
             "sign" => formulas(subjects).all(|f| matches!(f.source.trim(), "\\pm" | "\\mp")),

@@ -3,8 +3,8 @@
 use crate::verify::language::heads::{
     ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_ROTATION, ENERGY_OF_TRANSLATION, FORCE,
     FRICTION, IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT,
-    MOMENT_OF_INERTIA, NORMAL_FORCE, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE, SPECIFIC_FORCE,
-    TRAVEL, VECTOR_PART,
+    MOMENT_OF_INERTIA, NORMAL_FORCE, PURE_QUATERNION, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE,
+    SPECIFIC_FORCE, TRAVEL, TURNED_VECTOR, VECTOR_PART,
 };
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
 use crate::verify::model::atoms::whole;
@@ -111,9 +111,10 @@ impl Builder<'_> {
             "component" => self.numbered_component(phrase, declaration)?,
             PART => self.part(phrase, declaration)?,
             ROTATION_MATRIX => self.rotation_about(phrase, declaration)?,
-            CONJUGATE | SCALAR_PART | VECTOR_PART => {
+            CONJUGATE | SCALAR_PART | VECTOR_PART | PURE_QUATERNION => {
                 self.part_of_quaternion(phrase, declaration)?
             }
+            TURNED_VECTOR => self.turned_vector(phrase, declaration)?,
             CROSS_PRODUCT_MATRIX | IDENTITY_MATRIX | JACOBIAN => {
                 self.matrix_of(phrase, declaration)?
             }

@@ -1,11 +1,13 @@
 //! Sentences about quaternions.
 
 use crate::algebra::Place;
-use crate::verify::language::heads::{CONJUGATE, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART};
+use crate::verify::language::heads::{
+    CONJUGATE, PURE_QUATERNION, QUATERNION, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART, VECTOR_PART,
+};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
-use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::atoms::{Key, Motion, fraction, whole};
 use crate::verify::model::system::FrameId;
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::is_written_as;
@@ -75,6 +77,8 @@ impl Builder<'_> {
     /// Frames of whose quaternion a sentence speaks, which has to be known before any rotation is worked out.
     pub(super) fn turn_by_quaternions(&mut self) {
         for declaration in self.declarations {
+            self.turn_by_parts(declaration);
+            self.turn_by_told_attitude(declaration);
             let Statement::Does {
                 verb: "take",
                 slots,
@@ -90,6 +94,20 @@ impl Builder<'_> {
                 if let Some(frame) = slot(slots, end).and_then(|term| self.frame(term)) {
                     self.system().frames[frame].by_quaternion = true;
                 }
+            }
+        }
+    }
+
+    /// "`$w$` is the scalar part of the quaternion of B relative to N": that one has to be known as well.
+    fn turn_by_parts(&mut self, declaration: &Declaration) {
+        let Statement::Is { what, .. } = &declaration.statement else {
+            return;
+        };
+        let of = what.slot(Slot::Of).and_then(ends_of_quaternion);
+        let parts = [SCALAR_PART, VECTOR_PART].contains(&what.head);
+        for end in of.filter(|_| parts).map_or(vec![], |(of, to)| vec![of, to]) {
+            if let Some(frame) = self.frame(end) {
+                self.system().frames[frame].by_quaternion = true;
             }
         }
     }
@@ -145,8 +163,16 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let Quantity::Known(of) = self.operand(phrase.slot(Slot::Of)?, declaration)? else {
-            return None;
+        if phrase.head == PURE_QUATERNION {
+            return self.pure_quaternion(phrase, declaration);
+        }
+        let of = phrase.slot(Slot::Of)?;
+        let of = match self.quaternion_between(of) {
+            Some(quaternion) => quaternion,
+            None => match self.operand(of, declaration)? {
+                Quantity::Known(of) => of,
+                _ => return None,
+            },
         };
         if !of.is_quaternion() {
             return None;
@@ -158,5 +184,43 @@ impl Builder<'_> {
             SCALAR_PART => Value::scalar(of.entries[scalar].clone()),
             _ => Value::written(3, 1, of.entries[vector..vector + 3].to_vec()),
         }))
+    }
+
+    /// "the quaternion of B relative to N", which takes components on B to those on N.
+    fn quaternion_between(&mut self, term: &Term) -> Option<Value> {
+        let (of, relative) = ends_of_quaternion(term)?;
+        let (from, to) = (self.frame(of)?, self.frame(relative)?);
+        let layout = self.reading.letters.customs.layout;
+        self.system().quaternion(to, from, layout)
+    }
+
+    /// "the quaternion whose vector part is `$v$` and whose scalar part is zero".
+    fn pure_quaternion(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+        let vector = self.system().value_of(&of).ok()?;
+        let frame = self.reading.letters.component_frame;
+        let vector = self.system().written_out(&vector, frame).ok()?;
+        let layout = self.reading.letters.customs.layout;
+        let (scalar, first) = layout.places();
+        let mut entries = vec![whole(0); 4];
+        for (place, entry) in vector.to_vector().ok()?.iter().enumerate() {
+            entries[first + place] = entry.clone();
+        }
+        entries[scalar] = whole(0);
+        Some(Quantity::Known(Value::written(4, 1, entries)))
+    }
+}
+
+/// Of what a quaternion is, and relative to what: "the quaternion of B relative to N".
+fn ends_of_quaternion(term: &Term) -> Option<(&Term, &Term)> {
+    match term {
+        Term::Phrase(of) if of.head == QUATERNION => {
+            Some((of.slot(Slot::Of)?, of.slot(Slot::RelativeTo)?))
+        }
+        _ => None,
     }
 }

@@ -15,7 +15,19 @@ impl Builder<'_> {
         phrase: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<Quantity> {
-        let (mut rest, rows) = self.components_of(phrase.slot(Slot::Of)?, declaration)?;
+        let of: Vec<&Term> = phrase.all(Slot::Of).collect();
+        let (mut rest, rows) = match of.as_slice() {
+            [of] => self.components_of(of, declaration)?,
+            [one, two, three] => {
+                let mut entry = |of: &Term| {
+                    let entry = self.operand(of, declaration)?;
+                    self.system().value_of(&entry).ok()?.to_scalar().ok()
+                };
+                let entries = [entry(one)?, entry(two)?, entry(three)?];
+                (entries, Basis::Written)
+            }
+            _ => return None,
+        };
         let mut columns = vec![];
         for letter in rates_in(phrase)?.all(Slot::Of) {
             let letter = self.scalar_term(letter, declaration)?;

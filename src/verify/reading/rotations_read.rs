@@ -116,6 +116,23 @@ impl Builder<'_> {
         let matrix = about_vector(&n, &cosine, &sine);
         Some(Quantity::Known(Value::matrix(&matrix, [basis; 2])))
     }
+
+    /// "`$v$` turned about `$u$` by the angle `$a$`".
+    pub(super) fn turned_vector(
+        &mut self,
+        phrase: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Quantity> {
+        let Quantity::Known(matrix) = self.rotation_about(phrase, declaration)? else {
+            return None;
+        };
+        let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
+        let vector = self.system().value_of(&of).ok()?;
+        let told = vector.is_vector() && vector.basis[0] != Basis::Written;
+        let told = told && matrix.basis[0] != Basis::Written;
+        let turned = matrix.to_matrix().ok()? * vector.to_vector().ok()?;
+        told.then(|| Quantity::Known(Value::vector(&turned, vector.basis[0])))
+    }
 }
 
 /// "The third axis": one of which no frame is told.

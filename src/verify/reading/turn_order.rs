@@ -72,7 +72,7 @@ impl Builder<'_> {
         let Some((subjects, slots)) = declaration.statement.does("turn") else {
             return;
         };
-        if self.is_about_point(slots) {
+        if self.is_about_point(slots) || self.tells_attitude(declaration) {
             return;
         }
         let relative = slot(slots, Slot::RelativeTo).and_then(name_of);

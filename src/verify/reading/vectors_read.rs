@@ -87,12 +87,15 @@ impl Builder<'_> {
             let known = self.quantity_of(formula, declaration);
             // An axis is a unit vector.
             let everywhere = declaration.extent == Extent::Document && along.is_none();
-            let told = matches!(known, Some(Quantity::MemberVector { .. }))
+            let told = self.is_axis_of_attitude(formula)
+                || matches!(known, Some(Quantity::MemberVector { .. }))
                 || matches!(known, Some(Quantity::Axis(..)))
                     && everywhere
                     && what.head == UNIT_VECTOR
                 || matches!(known, Some(Quantity::UnitVector { carried: k, .. }) if carried.is_none() || k == carried);
+            let on = what.slot(Slot::On).and_then(|term| self.frame(term));
             if told {
+                self.put_on_axes(formula, known, on, declaration);
                 continue;
             }
             // A letter that another sentence makes an axis is no vector of its own.
@@ -117,12 +120,25 @@ impl Builder<'_> {
                 },
                 _ => Quantity::UnitVector { text, carried },
             };
-            let on = what.slot(Slot::On).and_then(|term| self.frame(term));
             let quantity = match on {
                 Some(frame) => Quantity::On(quantity.boxed(), frame),
                 None => quantity,
             };
             self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// "`$u$` is a unit vector in components on N", of which another sentence has told what turns about it.
+    fn put_on_axes(
+        &mut self,
+        letter: &Formula,
+        known: Option<Quantity>,
+        on: Option<FrameId>,
+        declaration: &Declaration,
+    ) {
+        if let (Some(known @ Quantity::UnitVector { .. }), Some(frame)) = (known, on) {
+            let on = Quantity::On(known.boxed(), frame);
+            self.denote(letter, Meaning::Quantity(on), declaration);
         }
     }
 

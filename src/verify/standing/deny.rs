@@ -36,6 +36,14 @@ impl Judge<'_> {
             held.doubt = Some(messages::not_taken_in(&line.text()));
             return;
         }
+        if let Some(untold) = self.may_tell_attitude(link) {
+            held.doubt = Some(untold);
+            return;
+        }
+        if self.holds_by_wider_meanings(link) {
+            held.doubt = Some(messages::WIDER_MEANINGS.into());
+            return;
+        }
         if self.speaks_of_unlisted_load(residuals) {
             held.doubt = Some(messages::LOADS_NOT_LISTED.into());
             return;

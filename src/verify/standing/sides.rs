@@ -59,6 +59,7 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link<'_>) -> Result<Both,
         }),
         (None, settles) => {
             let (left, right) = lowering.beside_quaternions(left, right)?;
+            let (left, right) = lowering.beside_matrix(left, right)?;
             let (left, right) = lowering.system.compared(&left, &right, custom)?;
             Ok(Both {
                 left,

@@ -22,7 +22,7 @@ impl Lowering<'_> {
             // An operator on vectors beside the time is another letter, `S(t)` beside `S(v)`.
             let of_vectors = matches!(
                 operator,
-                Operator::CrossProductMatrix | Operator::RotationVector
+                Operator::CrossProductMatrix | Operator::RotationVector | Operator::ComponentsOn(_)
             );
             if of_vectors
                 && is_time(argument)
@@ -56,7 +56,7 @@ impl Lowering<'_> {
         let left = self.value(head)?;
         let [argument] = arguments else {
             // No vector is multiplied by a list: these are what it depends on.
-            return match left.is_vector() {
+            return match left.is_vector() || self.turned_by(head, arguments).is_some() {
                 true => Ok(left),
                 false => beyond("a function of several arguments"),
             };
@@ -81,6 +81,7 @@ impl Lowering<'_> {
             Operator::RotationAbout(axis, frame) => {
                 self.rotation_about(&axis, frame, &value.to_scalar()?)
             }
+            Operator::ComponentsOn(frame) => self.affected(value, &Effect::ComponentsOn(frame)),
             Operator::AxisRotation(axis) => self.axis_rotation(axis, &value.to_scalar()?),
             Operator::AxisRotationOfComponents(axis) => {
                 self.axis_rotation(axis, &-value.to_scalar()?)
@@ -119,7 +120,7 @@ impl Lowering<'_> {
             .map(Some)
     }
 
-    /// `R(\alpha)`, `R^T(\alpha(t))` of a matrix that turns by α.
+    /// `R(\alpha)`, `R^T(\alpha(t))`, `R(\phi, \theta, \psi)` of a matrix that turns by these angles.
     pub(super) fn matrix_of_angle(&mut self, run: &[&Node]) -> Option<Value> {
         let [matrix, argument, ..] = run else {
             return None;
@@ -129,24 +130,36 @@ impl Lowering<'_> {
             Kind::Power(base, _) | Kind::Transpose(base) => letter(base),
             _ => letter(matrix),
         };
-        let Kind::Group(Bracket::Round, inner) = &argument.kind else {
-            return None;
+        let angles = match &argument.kind {
+            Kind::Group(Bracket::Round, inner) => std::slice::from_ref(&**inner),
+            Kind::Tuple(list) => list.as_slice(),
+            _ => return None,
         };
-        let alone = match &inner.kind {
+        let alone = |angle: &Node| match &angle.kind {
             Kind::Call(angle, of) => letter(angle) && of.iter().all(is_time),
-            _ => letter(inner),
+            _ => letter(angle),
         };
-        if !head || !alone {
+        if !head || !angles.iter().all(alone) {
             return None;
         }
         // Where it is none, the letters are met once more.
         let before = self.occurrences.clone();
-        let values = self.value(matrix).ok().zip(self.value(inner).ok());
-        let turned = values.filter(|(matrix, angle)| is_function_of(matrix, angle, self.system));
+        let turned = self.turned_by(matrix, angles);
         if turned.is_none() {
             self.occurrences = before;
         }
-        turned.map(|(matrix, _)| matrix)
+        turned
+    }
+
+    /// A matrix that each of some angles turns.
+    fn turned_by(&mut self, matrix: &Node, angles: &[Node]) -> Option<Value> {
+        let matrix = self.value(matrix).ok()?;
+        let mut each = angles.iter();
+        let all = each.all(|angle| {
+            let angle = self.value(angle);
+            angle.is_ok_and(|angle| is_function_of(&matrix, &angle, self.system))
+        });
+        all.then_some(matrix)
     }
 
     /// Whether a sentence says that a letter acts on what stands in brackets behind it.

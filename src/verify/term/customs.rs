@@ -44,6 +44,8 @@ pub(crate) struct Products {
     pub(crate) across: Vec<(Reach, Vector)>,
     /// Where a cross is the sign of the product of matrices.
     pub(crate) matrices_crossed: Vec<Reach>,
+    /// Where a number that is added to a matrix is its product with the identity matrix.
+    pub(crate) numbers_beside_matrices: Vec<Reach>,
     /// Which products two vectors in brackets are, by how these open.
     pub(crate) in_brackets: BTreeMap<char, BracketProduct>,
 }
@@ -60,6 +62,12 @@ impl Products {
     pub(crate) fn across_at(&self, at: &At) -> Option<&Vector> {
         let own = self.across.iter().find(|(reach, _)| reach.covers(at, 0));
         own.map(|(_, axis)| axis)
+    }
+
+    /// Whether a number that is added to a matrix is that many times the identity at a place.
+    pub(crate) fn adds_identity_at(&self, at: &At) -> bool {
+        let mut told = self.numbers_beside_matrices.iter();
+        told.any(|reach| reach.covers(at, 0))
     }
 
     /// Whether a cross beside a matrix is the sign of the product of matrices at a place.

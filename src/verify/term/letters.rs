@@ -111,6 +111,8 @@ impl Reach {
 pub(crate) enum Operator {
     /// The cross-product matrix of what it is applied to.
     CrossProductMatrix,
+    /// The components of what it is applied to on a frame.
+    ComponentsOn(FrameId),
     /// The matrix of the rotation by the length of a vector about it.
     RotationVector,
     /// The matrix of the rotation by an angle about a unit vector that a frame carries.

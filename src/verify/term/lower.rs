@@ -247,6 +247,7 @@ impl<'a> Lowering<'a> {
             }
             let custom = self.custom();
             (sum, value) = self.beside_quaternions(sum, value)?;
+            (sum, value) = self.beside_matrix(sum, value)?;
             sum = self.system.plus(&sum, &value, custom)?;
         }
         Ok(sum)

@@ -2,9 +2,11 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Node};
+use crate::verify::model::atoms::whole;
 use crate::verify::model::system::FrameId;
 use crate::verify::term::customs::BracketProduct;
 use crate::verify::term::lower::Lowering;
+use crate::verify::term::quantity::Quantity;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond, ill_typed};
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
@@ -27,6 +29,38 @@ impl Lowering<'_> {
             }
             None => Ok(product),
         }
+    }
+
+    /// A number and a matrix that are added or compared: where sentences say so, the number is that many times the identity matrix.
+    pub(crate) fn beside_matrix(&mut self, a: Value, b: Value) -> Result<(Value, Value), Trouble> {
+        if !self.letters.customs.products.adds_identity_at(self.at) {
+            return Ok((a, b));
+        }
+        Ok(match (a.is_scalar(), b.is_scalar()) {
+            (true, false) => (self.times_identity(&a, &b)?, b),
+            (false, true) => {
+                let b = self.times_identity(&b, &a)?;
+                (a, b)
+            }
+            _ => (a, b),
+        })
+    }
+
+    /// A number times the identity matrix of the size of a matrix; what is none is beside the number as it was.
+    fn times_identity(&mut self, number: &Value, beside: &Value) -> Valued {
+        if beside.rows != beside.columns {
+            return Ok(number.clone());
+        }
+        let identity = match beside.is_matrix() {
+            true => self.system.value_of(&Quantity::Identity)?,
+            false => {
+                let size = beside.rows;
+                let places = (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
+                let entries = places.map(|(row, column)| whole(i64::from(row == column)));
+                Value::written(size, size, entries.collect())
+            }
+        };
+        Ok(identity.scaled(&number.to_scalar()?))
     }
 
     /// A list of components of one frame is on that frame, unless a sentence says what lists are on.
