@@ -193,7 +193,12 @@ impl Builder<'_> {
                 self.read_same_vector(subjects, what, declaration)
             }
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
-            "constant" => self.read_constants(subjects, declaration),
+            "constant" => {
+                self.read_constants(subjects, declaration);
+                if what.is("positive") {
+                    self.read_positive(subjects, declaration);
+                }
+            }
             "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
@@ -202,6 +207,7 @@ impl Builder<'_> {
             }
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" if !what.is("not") => self.read_positive(subjects, declaration),
+            "negative" if what.is("not") => self.read_not_negative(subjects, declaration),
             "time" => self.read_time(subjects, declaration),
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
             | "damping" | NATURAL_LENGTH => {

@@ -221,6 +221,9 @@ impl Builder<'_> {
                 if let Some(own) = self.momentum_of_rotor(phrase, declaration) {
                     return Some(own);
                 }
+                if let Some(all) = self.momentum_of_rotors_in_body(phrase, relative) {
+                    return Some(all);
+                }
                 let of = self.whole_of(phrase)?;
                 let about = self.about(phrase, &of)?;
                 let velocities = match phrase.slot(Slot::VelocitiesRelativeTo) {

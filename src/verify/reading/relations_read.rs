@@ -65,6 +65,8 @@ impl Builder<'_> {
     ) -> Option<Fraction> {
         let lengths = one.dot(one) * other.dot(other);
         let length = self.system().atoms.root(&lengths)?;
+        // No vector that makes an angle with another one is zero.
+        self.system().atoms.set_positive(&length);
         Some(one.dot(other) - length * cosine)
     }
 

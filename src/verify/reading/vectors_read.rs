@@ -213,6 +213,18 @@ impl Builder<'_> {
         }
     }
 
+    /// What is no less than zero may be zero: it is the root of its square, and nothing is divided by it.
+    pub(super) fn read_not_negative(&mut self, subjects: &[Term], declaration: &Declaration) {
+        for formula in formulas(subjects) {
+            let value = self.mentioned_value(&formula.clone(), declaration);
+            let entry = value.and_then(|value| value.to_scalar().ok());
+            match entry.and_then(|entry| entry.as_variable()) {
+                Some(letter) => self.system().atoms.set_length(letter),
+                None => self.say_unused(declaration),
+            }
+        }
+    }
+
     /// A constant whose square is −1.
     pub(super) fn read_imaginary_unit(&mut self, subjects: &[Term], declaration: &Declaration) {
         for formula in formulas(subjects) {
