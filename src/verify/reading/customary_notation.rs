@@ -2,8 +2,8 @@
 
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    CONJUGATE, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE, SQUARE_OF_VECTOR,
-    TENSOR_PRODUCT, TWO_DOTS,
+    CONJUGATE, FULL_STOP, INVERSE_MAP, PLAIN_LETTER, QUATERNION_PRODUCT, SECOND_RATE,
+    SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{Formula, NotationMeaning, Sign, Slot};
 use crate::verify::reading::names::{CROSS_PRODUCT_MATRIX, node_of};
@@ -29,6 +29,7 @@ pub(super) fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
                 | "transpose"
         ),
         Sign::Custom(SQUARE_OF_VECTOR | FULL_STOP) => phrase.head == "dot product",
+        Sign::Custom(PLAIN_LETTER) => phrase.head == "magnitude",
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,

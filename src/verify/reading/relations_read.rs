@@ -37,6 +37,9 @@ impl Builder<'_> {
         let Some(Term::Formula(letter)) = subjects.first() else {
             return None;
         };
+        if self.are_told_perpendicular(&ends) && self.quantity_of(letter, declaration).is_none() {
+            return self.denote_right_angle(letter, declaration);
+        }
         let angle = self.scalar(letter, declaration)?;
         if self.turns_by_line(one, other, &angle) {
             return Some(());
