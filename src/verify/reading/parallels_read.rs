@@ -79,11 +79,11 @@ impl Builder<'_> {
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
                 if let [(Slot::In, Term::Phrase(plane))] = slots {
-                    let read = match self.are_points(subjects) {
+                    let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+                    let read = match !letters && self.are_points(subjects) {
                         true => self.read_points_in_plane(subjects, plane, declaration),
                         false => self.read_lying_in_plane(subjects, plane, declaration),
                     };
-                    let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
                     if read.is_none() && (letters || self.are_points(subjects)) {
                         self.say_unused(declaration);
                     }
