@@ -182,6 +182,7 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
         '∭' => Command("iiint"),
         '∑' => Command("sum"),
         '∂' => Command("partial"),
+        '∠' => Command("angle"),
         '∇' => Command("nabla"),
         '≡' => Command("equiv"),
         '≈' => Command("approx"),

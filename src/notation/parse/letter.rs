@@ -9,7 +9,7 @@ const GREEK: &[&str] = &[
     "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi",
     "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi",
     "Psi", "Omega", "ell", "hbar", "infty", "wp", "Re", "Im", "mho", "aleph", "dagger", "ddagger",
-    "square", "Box", "diamond",
+    "square", "Box", "diamond", "angle",
 ];
 
 /// The plain name of a letter command; the variant shapes are the same letter.

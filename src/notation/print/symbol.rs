@@ -182,6 +182,7 @@ fn greek(name: &str) -> Option<char> {
         ("Psi", 'Ψ'),
         ("Omega", 'Ω'),
         ("ell", 'ℓ'),
+        ("angle", '∠'),
     ];
     LOWER.iter().find(|(n, _)| *n == name).map(|(_, c)| *c)
 }

@@ -119,7 +119,10 @@ const OF_QUANTITIES: [(&str, &[&str]); 34] = [
     ("no", &[heads::FORCE, heads::MOMENT, heads::MASS, "load"]),
     ("only", &[heads::FORCE, heads::MOMENT, "load", "impulse"]),
     ("working", &[heads::FORCE, heads::MOMENT, "load"]),
-    ("not", &["zero", "symmetric", "constant", "small"]),
+    (
+        "not",
+        &["zero", "symmetric", "constant", "small", "negative"],
+    ),
     ("small", &["disturbance", "angle", "oscillation", "value"]),
     ("axial", &[heads::MOMENT_OF_INERTIA]),
     ("transverse", &[heads::MOMENT_OF_INERTIA]),

@@ -1,16 +1,18 @@
 //! Angles about an axis, from a direction to the vector between two points: where the second point is.
 
-use super::heads::MASS_CENTRE;
+use super::heads::{MASS_CENTRE, VERTICAL};
+use super::planar_axes::{axes_of, tells_distance};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use super::turned_lines::direction;
 use crate::notation::Macros;
 use std::collections::BTreeMap;
 
-/// "`$\theta$` is the angle about z from x to `$r$`", where r is the position of P from O, a letter is its magnitude, and the
-/// body of P turns about z: P is placed from O by that magnitude, along x turned about z by the angle. An angle may begin at
+/// "`$\theta$` is the angle about z from x to `$r$`", where r is the position of P from O, a letter is its magnitude or the
+/// distance of these points, and the body of P turns about z: P is placed from O by that magnitude, along x turned about z by the angle. An angle may begin at
 /// a vector that is told so. Where another angle of the vector is told, the first is an azimuth, and nothing is said.
 pub(super) fn place_by_angles(declarations: &mut [Declaration], macros: &Macros) {
-    let mut told: BTreeMap<String, String> = BTreeMap::new();
+    let mut told: BTreeMap<String, Turned> = BTreeMap::new();
     let mut before = usize::MAX;
     while told.len() != before {
         before = told.len();
@@ -26,13 +28,36 @@ pub(super) fn place_by_angles(declarations: &mut [Declaration], macros: &Macros)
     }
 }
 
+/// A direction across an axis, and that to which it turns about the axis by a right angle.
+#[derive(Clone)]
+struct Turned {
+    along: String,
+    across: String,
+}
+
+impl Turned {
+    fn by(&self, angle: &str) -> Self {
+        let Self { along, across } = self;
+        let sum = |one: &str, sign: &str, other: &str| {
+            let terms = format!(
+                "\\cos\\left({angle}\\right)\\left({one}\\right){sign}\\sin\\left({angle}\\right)\\left({other}\\right)"
+            );
+            format!("\\left({terms}\\right)")
+        };
+        Self {
+            along: sum(along, "+", across),
+            across: sum(across, "-", along),
+        }
+    }
+}
+
 /// The vector of an angle, along what it lies, and what is said of the points.
 fn placed(
     statement: &Statement,
     declarations: &[Declaration],
-    told: &BTreeMap<String, String>,
+    told: &BTreeMap<String, Turned>,
     macros: &Macros,
-) -> Option<(String, String, Statement)> {
+) -> Option<(String, Turned, Statement)> {
     let Statement::Is { subjects, what } = statement else {
         return None;
     };
@@ -49,15 +74,18 @@ fn placed(
     if !planar || angles_to(&vector, declarations) != 1 {
         return None;
     }
-    let magnitude = magnitude(&vector, declarations)?;
-    let about = written(about)?;
-    let from = written(from)?;
-    let from = told.get(&from).cloned().unwrap_or(from);
-    let angle = &angle.source;
-    let direction = format!(
-        "\\left(\\cos\\left({angle}\\right)\\left({from}\\right)+\\sin\\left({angle}\\right)\\left({about}\\right)\\times\\left({from}\\right)\\right)"
-    );
-    let way = formula(&format!("{magnitude}{direction}"), false, macros)?;
+    let distance = || distance(&point, &origin, declarations);
+    let magnitude = magnitude(&vector, declarations).or_else(distance)?;
+    let start = match written(from, declarations) {
+        Some(letter) if told.contains_key(&letter) => told.get(&letter).cloned()?,
+        Some(along) => Turned {
+            across: across(about, from, &along, declarations)?,
+            along,
+        },
+        None => return None,
+    };
+    let direction = start.by(&angle.source);
+    let way = formula(&format!("{magnitude}{}", direction.along), false, macros)?;
     let slots = vec![(Slot::From, origin), (Slot::By, Term::Formula(way))];
     let placed = Statement::Does {
         subjects: vec![point],
@@ -69,17 +97,7 @@ fn placed(
 
 /// Whether all turning of what a point is fixed in, or is the mass centre of, is told to be about an axis.
 fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool {
-    let holds = |declaration: &Declaration| match &declaration.statement {
-        Statement::Is { subjects, what } if subjects.contains(point) => {
-            let holder = match what.head {
-                MASS_CENTRE => Slot::Of,
-                _ => Slot::FixedIn,
-            };
-            what.all(holder).cloned().collect()
-        }
-        _ => vec![],
-    };
-    let bodies: Vec<Term> = declarations.iter().flat_map(holds).collect();
+    let bodies = holders(point, declarations);
     let turning = declarations
         .iter()
         .filter_map(|d| d.statement.does("turn"))
@@ -89,6 +107,34 @@ fn turns_about(point: &Term, axis: &Term, declarations: &[Declaration]) -> bool 
         .peekable();
     let along = |about: &Term| direction_of(about) == axis;
     axes.peek().is_some() && axes.all(|about| about.is_some_and(along))
+}
+
+/// What a point is fixed in, or is the mass centre of, with the frames that are fixed there and the bodies of such frames.
+fn holders(point: &Term, declarations: &[Declaration]) -> Vec<Term> {
+    let said = || {
+        declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => Some((subjects, what)),
+            _ => None,
+        })
+    };
+    let own = said().filter(|(subjects, _)| subjects.contains(point));
+    let held = own.flat_map(|(_, what)| match what.head {
+        MASS_CENTRE => what.all(Slot::Of),
+        _ => what.all(Slot::FixedIn),
+    });
+    let held: Vec<Term> = held.cloned().collect();
+    let frames = said().filter(|(_, what)| what.head == "frame");
+    let beside = frames.flat_map(|(frames, what)| {
+        let bodies: Vec<&Term> = what.all(Slot::FixedIn).collect();
+        let all = frames.iter().chain(bodies);
+        let all: Vec<Term> = all.cloned().collect();
+        match all.iter().any(|one| held.contains(one)) {
+            true => all,
+            false => vec![],
+        }
+    });
+    let beside: Vec<Term> = beside.collect();
+    [held, beside].concat()
 }
 
 /// "the axis through O along z" as its direction.
@@ -122,12 +168,45 @@ fn angles_to(vector: &str, declarations: &[Declaration]) -> usize {
 }
 
 /// A direction as a formula writes it.
-fn written(term: &Term) -> Option<String> {
+fn written(term: &Term, declarations: &[Declaration]) -> Option<String> {
     match term {
         Term::Formula(formula) => Some(formula.source.clone()),
         Term::Name(name) => (name.chars().count() == 1).then(|| name.clone()),
+        Term::Phrase(phrase) if phrase.head == VERTICAL => {
+            let along = direction(term, declarations)?;
+            let axis = axes_of(&along.frame, declarations)?.get(along.number - 1)?;
+            let axis = written(axis, declarations)?;
+            Some(match along.reversed {
+                true => format!("-{axis}"),
+                false => axis,
+            })
+        }
         _ => None,
     }
+}
+
+/// What stands across an axis and a direction: the third axis where both are axes of a frame, else by their cross product.
+fn across(about: &Term, from: &Term, along: &str, declarations: &[Declaration]) -> Option<String> {
+    let axis = || {
+        let (about, from) = (
+            direction(about, declarations)?,
+            direction(from, declarations)?,
+        );
+        let beside = about.frame == from.frame && about.number != from.number;
+        let number = 6 - about.number - from.number;
+        let axes = axes_of(&about.frame, declarations).filter(|_| beside)?;
+        let forwards = from.number == about.number % 3 + 1;
+        let third = written(axes.get(number.checked_sub(1)?)?, declarations)?;
+        let reversed = [about.reversed, from.reversed, !forwards];
+        let odd = reversed.iter().filter(|turned| **turned).count() % 2 == 1;
+        Some(if odd { format!("-{third}") } else { third })
+    };
+    axis().or_else(|| {
+        let about = written(about, declarations)?;
+        Some(format!(
+            "\\left({about}\\right)\\times\\left({along}\\right)"
+        ))
+    })
 }
 
 /// Of which point from where a vector is the position.
@@ -148,6 +227,22 @@ fn magnitude(vector: &str, declarations: &[Declaration]) -> Option<String> {
     let mut all = said_of(declarations, "magnitude");
     all.find(|(_, what)| of(what))
         .map(|(letter, _)| letter.to_owned())
+}
+
+/// The letter of the distance between two points.
+fn distance(of: &Term, from: &Term, declarations: &[Declaration]) -> Option<String> {
+    let told = declarations.iter().find_map(|d| match &d.statement {
+        said @ Statement::Is { .. } => {
+            let (one, other, letter) = tells_distance(said)?;
+            let ends = [(one, other), (other, one)];
+            ends.contains(&(of, from)).then_some(letter)
+        }
+        _ => None,
+    });
+    match told? {
+        Term::Formula(letter) => Some(letter.source.clone()),
+        _ => None,
+    }
 }
 
 /// The single letters that are said to be what a noun names.

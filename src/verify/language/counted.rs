@@ -1,5 +1,6 @@
 //! Things that are counted and have no names: "the rotor consists of two particles" speaks of particle 1 and particle 2.
 
+use super::counted_by_name::named_things;
 use super::in_turn::{does_in_turn, each_of_its_own};
 use super::is_body;
 use super::kinds::name;
@@ -171,6 +172,15 @@ pub(super) fn names_of_counted(part: &Term, family: &str) -> Option<Vec<Term>> {
     (part.head == family && is_body(part.head)).then(|| (1..=count).map(name).collect())
 }
 
+/// How many things a part counts, and what they are: "two particles of mass `$m$`".
+pub(super) fn count_of_part(part: &Term) -> Option<(usize, &NounPhrase)> {
+    let Term::Phrase(part) = part else {
+        return None;
+    };
+    let count = COUNTS.iter().find(|(word, _)| part.is(word))?.1;
+    is_body(part.head).then_some((count, part))
+}
+
 /// "two particles of mass `$m$`", "the rods": how many of what, and what they are.
 fn counted(part: &Term, declarations: &[Declaration]) -> Option<Counted> {
     let found = match part {
@@ -193,6 +203,10 @@ fn counted(part: &Term, declarations: &[Declaration]) -> Option<Counted> {
         },
         _ => return None,
     };
+    // Where other things of this noun have names no sentence says which of them are counted.
+    if !named_things(found.noun, declarations).is_empty() {
+        return None;
+    }
     let letters = letters_of_members(found.noun, declarations);
     if letters.is_empty() {
         return Some(found);
@@ -373,7 +387,7 @@ pub(crate) fn part_first(declarations: Vec<Declaration>) -> Vec<Declaration> {
 }
 
 /// A noun without the words for how many there are.
-fn without_counts(what: &mut NounPhrase) {
+pub(super) fn without_counts(what: &mut NounPhrase) {
     let counts = |said: &&str| COUNTS.iter().any(|(word, _)| word == said);
     what.adjectives.retain(|said| !counts(said));
 }

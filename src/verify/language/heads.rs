@@ -201,6 +201,8 @@ heads! {
     WAY_OF_SETTING = "way of setting";
     /// Braces over or under a part of a formula, with a label.
     UNDERBRACE = "underbrace";
+    /// A letter of a vector that is set as one of a number.
+    PLAIN_LETTER = "plain letter of a vector";
     /// The derivatives of a function.
     DERIVATIVE = "derivative";
     PARTIAL_DERIVATIVE = "partial derivative";

@@ -3,6 +3,7 @@
 
 use super::bodies::singular;
 use super::counted::names_of_counted;
+use super::counted_by_name::name_counted;
 use super::is_thing;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::document::Row;
@@ -19,6 +20,7 @@ struct Named {
 
 /// What is said of member `$i$` is said of each by its name, with its number in the place of `$i$`.
 pub(crate) fn name_members(declarations: &mut Vec<Declaration>) {
+    name_counted(declarations);
     tell_listed(declarations);
     let Some(named) = named(declarations) else {
         return refuse_numbers(declarations);
@@ -272,7 +274,7 @@ impl Named {
             for label in symbol
                 .subscripts
                 .iter_mut()
-                .filter(|l| **l == self.index.source)
+                .filter(|l| **l == self.index.source.trim_start_matches('\\'))
             {
                 *label = number.to_string();
                 changed = true;

@@ -11,7 +11,7 @@ use crate::notation::document::Row;
 use std::collections::BTreeSet;
 
 /// What is said of letters alone, beside the quantities that they are.
-const OF_LETTERS: [&str; 4] = ["constant", "positive", "small", "nonzero"];
+const OF_LETTERS: [&str; 5] = ["constant", "positive", "negative", "small", "nonzero"];
 
 /// What is said of letters and of things.
 const OF_BOTH: [&str; 2] = ["fixed", "orthogonal"];

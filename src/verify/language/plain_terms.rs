@@ -73,6 +73,7 @@ use super::told_there_alone::tell_frames_of_parts;
 use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
+use super::unknown_bodies::leave_unknown_bodies;
 use super::weights::tell_gravity;
 use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
@@ -144,6 +145,7 @@ fn name_things(
     name_by_formulas(&mut declarations);
     tell_relations(&mut declarations);
     say_plainly(&mut declarations, macros);
+    leave_unknown_bodies(&mut declarations);
     declarations
 }
 

@@ -1,5 +1,6 @@
 //! Lines that are told by their angle with an axis, towards another one: they turn in the plane of both.
 
+use super::frames_by_nodes::turn_by_nodes;
 use super::heads::{POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS, VERTICAL};
 use super::inclined_frames::incline_frames;
 use super::kinds::name;
@@ -23,6 +24,7 @@ pub(super) struct Direction {
 
 /// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    turn_by_nodes(declarations, macros);
     turn_vectors(declarations, macros);
     turn_triads(declarations, macros);
     incline_frames(declarations, macros);

@@ -378,11 +378,11 @@ impl System {
 /// Words of a condition in time.
 const WHILES: [&str; 3] = ["before", "after", "during"];
 
-/// Whether a sentence says that something is not so; what is not zero is a fact.
+/// Whether a sentence says that something is not so; what is not zero or not negative is a fact.
 fn denies(declaration: &Declaration) -> bool {
     match &declaration.statement {
         Statement::Is { what, .. } | Statement::Premise(what) => {
-            what.is("not") && what.head != "zero"
+            what.is("not") && !matches!(what.head, "zero" | "negative")
         }
         _ => false,
     }

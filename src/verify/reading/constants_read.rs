@@ -20,6 +20,19 @@ impl Builder<'_> {
         Some(())
     }
 
+    /// "`$k$` is a positive constant."
+    pub(super) fn read_constants_said(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) {
+        self.read_constants(subjects, declaration);
+        if what.is("positive") {
+            self.read_positive(subjects, declaration);
+        }
+    }
+
     /// Letters of their own that do not change; of a quantity the rate vanishes.
     pub(super) fn read_constants(&mut self, subjects: &[Term], declaration: &Declaration) {
         for subject in subjects {

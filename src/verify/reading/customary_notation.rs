@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{DerivativeStyle, Factor, Kind, Operator};
 use crate::verify::language::heads::{
-    CONJUGATE, DOUBLE_BARS, FULL_STOP, INVERSE_MAP, QUATERNION_PRODUCT, SECOND_RATE,
+    CONJUGATE, DOUBLE_BARS, FULL_STOP, INVERSE_MAP, PLAIN_LETTER, QUATERNION_PRODUCT, SECOND_RATE,
     SQUARE_OF_VECTOR, TENSOR_PRODUCT, TWO_DOTS,
 };
 use crate::verify::language::statement::{Formula, NotationMeaning, Sign, Slot};
@@ -30,6 +30,7 @@ pub(super) fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         ),
         Sign::Custom(DOUBLE_BARS) => matches!(phrase.head, "magnitude" | "length"),
         Sign::Custom(SQUARE_OF_VECTOR | FULL_STOP) => phrase.head == "dot product",
+        Sign::Custom(PLAIN_LETTER) => phrase.head == "magnitude",
         Sign::Mark(_) if phrase.head == CONJUGATE => true,
         Sign::Mark("vee") => phrase.head == INVERSE_MAP,
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,

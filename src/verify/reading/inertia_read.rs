@@ -36,7 +36,11 @@ impl Builder<'_> {
         }
         if let Some(across) = any_axis_across(phrase) {
             let axis = self.axis_to_stand_on(across, own?, declaration)?;
-            return self.transverse_moment(own?, &axis, tensor, declaration);
+            // About one axis across another the moment may be what it is about no other one.
+            let known = is_about_any(phrase) || self.is_symmetric_about(own?, &axis, declaration);
+            return known
+                .then(|| self.transverse_moment(own?, &axis, tensor, declaration))
+                .flatten();
         }
         let axis = match (self.told_axis(phrase, declaration), own) {
             (Some(axis), _) if !phrase.is("axial") => axis,
@@ -178,6 +182,20 @@ impl Builder<'_> {
         self.axis_vector(axis, declaration)
     }
 
+    /// Whether a sentence or the shape of a body says that it is symmetric about an axis.
+    fn is_symmetric_about(
+        &mut self,
+        body: BodyId,
+        axis: &Vector,
+        declaration: &Declaration,
+    ) -> bool {
+        let told = self.axis_of_symmetry_told(body, declaration);
+        let own = self.axis_of_body(body);
+        let told =
+            told.or_else(|| own.filter(|_| self.reading.system.bodies[body].round.is_some()));
+        told.is_some_and(|told| told == *axis || told == -axis.clone())
+    }
+
     /// The axis of another moment of the same sentence: "`$C$` is the moment about the axis along `$n$`, and `$A$` the one about
     /// any axis across it".
     fn axis_told_with(&mut self, body: BodyId, declaration: &Declaration) -> Option<Vector> {
@@ -213,10 +231,18 @@ impl Builder<'_> {
     }
 }
 
-/// What any of the axes stand on about which a moment is told: "any axis through G normal to n".
+/// What the axes stand on about which a moment is told: "any axis through G normal to n", "an axis through G normal to n".
 fn any_axis_across(phrase: &NounPhrase) -> Option<&Term> {
-    match phrase.slot(Slot::About) {
-        Some(Term::Phrase(axis)) if axis.head == "axis" && axis.is("any") => axis.slot(Slot::With),
-        _ => None,
-    }
+    let Some(Term::Phrase(axis)) = phrase.slot(Slot::About) else {
+        return None;
+    };
+    let one = axis.all(Slot::With).count() == 1;
+    let alone = axis.slot(Slot::Along).is_none() && axis.slot(Slot::Of).is_none();
+    let across = axis.head == "axis" && (axis.is("any") || one && alone);
+    axis.slot(Slot::With).filter(|_| across)
+}
+
+/// Whether a moment is told about any axis, so that it is the same about all of them.
+fn is_about_any(phrase: &NounPhrase) -> bool {
+    matches!(phrase.slot(Slot::About), Some(Term::Phrase(axis)) if axis.is("any"))
 }

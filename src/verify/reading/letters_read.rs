@@ -85,6 +85,7 @@ impl Builder<'_> {
         if !loads_read {
             self.read_loads();
         }
+        self.name_magnitudes_by_type();
     }
 
     fn read_letter(&mut self, declaration: &Declaration) {
@@ -194,7 +195,7 @@ impl Builder<'_> {
                 self.read_same_vector(subjects, what, declaration)
             }
             "vector" | UNIT_VECTOR => self.read_vectors(subjects, what, declaration),
-            "constant" => self.read_constants(subjects, declaration),
+            "constant" => self.read_constants_said(subjects, what, declaration),
             "scalar" if what.slots.is_empty() => self.read_scalars(subjects, declaration),
             IMAGINARY_UNIT => self.read_imaginary_unit(subjects, declaration),
             QUATERNION if formulas(subjects).all(|q| self.is_told_turn(q)) => {}
@@ -202,7 +203,7 @@ impl Builder<'_> {
                 self.read_free_quaternions(subjects, what, declaration);
             }
             _ if self.says_nothing_new(subjects, what) => {}
-            "positive" if !what.is("not") => self.read_positive(subjects, declaration),
+            "positive" | "negative" => self.read_sign(subjects, what, declaration),
             "time" => self.read_time(subjects, declaration),
             "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
             | "damping" | NATURAL_LENGTH => {

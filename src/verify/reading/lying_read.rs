@@ -59,9 +59,9 @@ impl Builder<'_> {
             body.is_some_and(|body| self.told_axis_of_shape(body).is_some())
         };
         let placed = [Slot::At, Slot::On, Slot::From];
-        // A vector that lies in a plane.
+        // A vector or a point that lies in a plane.
         let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
-        if letters && matches!(slots, [(Slot::In, _)]) {
+        if (letters || self.are_points(subjects)) && matches!(slots, [(Slot::In, _)]) {
             return true;
         }
         // On a thing, a rim or a surface a point may be anywhere; a line tells more.
@@ -72,6 +72,28 @@ impl Builder<'_> {
         let beside = slots.iter().any(|(slot, _)| *slot == Slot::With);
         let placed = slots.iter().any(|(slot, _)| placed.contains(slot));
         !anywhere && !beside && placed || subjects.iter().all(told)
+    }
+
+    /// "O, P and G lie in the plane of x and y": the ways between them have no part across it. One alone lies in the plane
+    /// through the point from which all places are counted.
+    pub(super) fn read_points_in_plane(
+        &mut self,
+        subjects: &[Term],
+        plane: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let normal = self.normal_of_plane(plane, declaration)?;
+        let points: Option<Vec<PointId>> = subjects.iter().map(|s| self.point(s)).collect();
+        let points = points?;
+        let first = match points.as_slice() {
+            [_] => 0,
+            all => *all.first()?,
+        };
+        for point in points {
+            let way = self.system().position(point, first);
+            self.hold(way.dot(&normal), declaration);
+        }
+        Some(())
     }
 
     /// The axis about which all bodies are symmetric that a sentence says to be so, where "the symmetry axis" is of none.
@@ -114,6 +136,17 @@ impl Builder<'_> {
         premise: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
+        // The mass centres of rotors are at rest in what carries them, and in nothing else.
+        for rotors in premise
+            .all(Slot::Of)
+            .filter_map(|term| self.carried_rotors(term))
+        {
+            let carrier = self.reading.system.bodies[rotors.1].frame;
+            let frames = premise.all(Slot::FixedIn).map(|frame| self.frame(frame));
+            frames
+                .map(|frame| (frame == carrier).then_some(()))
+                .collect::<Option<()>>()?;
+        }
         let bodies = premise.all(Slot::Of).filter_map(|term| self.body(term));
         for body in bodies.collect::<Vec<_>>() {
             let centre = self.centre_of(body);

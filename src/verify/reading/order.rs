@@ -14,14 +14,19 @@ use std::collections::BTreeSet;
 pub(super) const BEFORE_LOADS: usize = 0;
 
 /// What is said of a letter without telling what it is.
-const TRAITS: [&str; 6] = [
+const TRAITS: [&str; 8] = [
     "orthogonal",
     "horizontal",
     "zero",
     "nonzero",
+    "positive",
+    "negative",
     "small",
     "symmetric",
 ];
+
+/// Signs of letters, which are read when the letters are known.
+const SIGNS: [&str; 2] = ["positive", "negative"];
 
 /// The sentences, each with its stage, in the order in which they are read.
 ///
@@ -165,7 +170,7 @@ pub(crate) fn mentioned_letters(statement: &Statement) -> Vec<[String; 2]> {
     match statement {
         Statement::Is { subjects, what } => {
             in_slots(&what.slots, &mut letters);
-            if what.head == CONSTANT {
+            if what.head == CONSTANT || SIGNS.contains(&what.head) {
                 subjects.iter().for_each(|t| in_term(t, &mut letters));
             }
         }
@@ -219,6 +224,7 @@ fn stage_of(statement: &Statement) -> usize {
             _ if tells_gravity(what) => BEFORE_LOADS,
             "vector" | UNIT_VECTOR | "mass" | "position" => BEFORE_LOADS,
             CONSTANT => 3,
+            sign if SIGNS.contains(&sign) => 4,
             "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
             | SECOND_RATE | "entry" | CONJUGATE | SCALAR_PART | VECTOR_PART => 2,
             "angle" | "total energy" => 2,

@@ -78,11 +78,15 @@ impl Builder<'_> {
                     let read = self.read_lying_at(subjects, at, declaration);
                     read.unwrap_or_else(|| self.say_unused(declaration));
                 }
-                if let [(Slot::In, Term::Phrase(plane))] = slots
-                    && subjects.iter().all(|s| matches!(s, Term::Formula(_)))
-                {
-                    let read = self.read_lying_in_plane(subjects, plane, declaration);
-                    read.unwrap_or_else(|| self.say_unused(declaration));
+                if let [(Slot::In, Term::Phrase(plane))] = slots {
+                    let letters = subjects.iter().all(|s| matches!(s, Term::Formula(_)));
+                    let read = match !letters && self.are_points(subjects) {
+                        true => self.read_points_in_plane(subjects, plane, declaration),
+                        false => self.read_lying_in_plane(subjects, plane, declaration),
+                    };
+                    if read.is_none() && (letters || self.are_points(subjects)) {
+                        self.say_unused(declaration);
+                    }
                 }
             }
             "move" if self.moves_in_plane(subjects, slots, declaration) => {}
@@ -311,7 +315,11 @@ impl Builder<'_> {
     }
 
     /// What stands on "the plane of x and y", or on "a plane perpendicular to z".
-    fn normal_of_plane(&mut self, plane: &NounPhrase, declaration: &Declaration) -> Option<Vector> {
+    pub(super) fn normal_of_plane(
+        &mut self,
+        plane: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<Vector> {
         let axes = plane.slots.iter().flat_map(|(_, axis)| one_by_one(axis));
         let axes: Option<Vec<Vector>> = axes
             .map(|axis| self.axis_vector(&axis, declaration))

@@ -172,20 +172,6 @@ impl Builder<'_> {
         Some(Quantity::Position { of, from })
     }
 
-    fn rate(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
-        let ground = self.reading.system.ground;
-        let of = self.operand(phrase.slot(Slot::Of)?, declaration)?;
-        let seen = told(phrase.slot(Slot::SeenFrom), ground, |t| self.frame(t))?;
-        let rate = |of: Quantity| Quantity::Rate {
-            of: of.boxed(),
-            seen,
-        };
-        Some(match phrase.head == SECOND_RATE {
-            true => rate(rate(of)),
-            false => rate(of),
-        })
-    }
-
     /// "the part of `v` along n", "… perpendicular to n".
     fn part(&mut self, phrase: &NounPhrase, declaration: &Declaration) -> Option<Quantity> {
         if let Some(plane) = phrase.slot(Slot::In) {
@@ -222,6 +208,9 @@ impl Builder<'_> {
             ANGULAR_MOMENTUM => {
                 if let Some(own) = self.momentum_of_rotor(phrase, declaration) {
                     return Some(own);
+                }
+                if let Some(all) = self.momentum_of_rotors_in_body(phrase, relative) {
+                    return Some(all);
                 }
                 let of = self.whole_of(phrase)?;
                 let about = self.about(phrase, &of)?;

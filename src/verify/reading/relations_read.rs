@@ -37,6 +37,9 @@ impl Builder<'_> {
         let Some(Term::Formula(letter)) = subjects.first() else {
             return None;
         };
+        if self.are_told_perpendicular(&ends) && self.quantity_of(letter, declaration).is_none() {
+            return self.denote_right_angle(letter, declaration);
+        }
         let angle = self.scalar(letter, declaration)?;
         if self.turns_by_line(one, other, &angle) {
             return Some(());
@@ -65,6 +68,8 @@ impl Builder<'_> {
     ) -> Option<Fraction> {
         let lengths = one.dot(one) * other.dot(other);
         let length = self.system().atoms.root(&lengths)?;
+        // No vector that makes an angle with another one is zero.
+        self.system().atoms.set_positive(&length);
         Some(one.dot(other) - length * cosine)
     }
 

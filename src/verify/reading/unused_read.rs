@@ -76,6 +76,7 @@ impl Builder<'_> {
                     slots,
                 } => {
                     self.is_lying_heard(subjects, slots)
+                        || self.lies_on_axis_of_rotor(subjects, slots, declaration)
                         || self.tells_height_above_contact(&declaration.statement)
                 }
                 Statement::Does {

@@ -219,16 +219,6 @@ impl Builder<'_> {
         }
     }
 
-    pub(super) fn read_positive(&mut self, subjects: &[Term], declaration: &Declaration) {
-        for formula in formulas(subjects) {
-            // That it is positive does not say what a letter is.
-            let value = self.mentioned_value(&formula.clone(), declaration);
-            for entry in value.into_iter().flat_map(|value| value.entries) {
-                self.system().atoms.set_positive(&entry);
-            }
-        }
-    }
-
     /// A constant whose square is −1.
     pub(super) fn read_imaginary_unit(&mut self, subjects: &[Term], declaration: &Declaration) {
         for formula in formulas(subjects) {

@@ -1,12 +1,13 @@
 //! Wheels: what drives them along their axes, and what is said of each of many that turn in one body.
 
 use crate::algebra::Fraction;
-use crate::verify::language::heads::{FORCE, MOMENT};
+use crate::verify::language::heads::{FORCE, MASS_CENTRE, MOMENT};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::{BodyId, Rotors};
+use crate::verify::model::system::{BodyId, FrameId, Rotors};
+use crate::verify::reading::bodies_read::singular;
 use crate::verify::reading::builder::Builder;
 use crate::verify::term::quantity::{Quantity, Whole};
-use crate::verify::term::value::Value;
+use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
     /// The rotors that a member is one of.
@@ -20,7 +21,7 @@ impl Builder<'_> {
     }
 
     /// The rotors that a term speaks of, and the body that carries them.
-    fn carried_rotors(&self, term: &Term) -> Option<(Rotors, BodyId)> {
+    pub(super) fn carried_rotors(&self, term: &Term) -> Option<(Rotors, BodyId)> {
         let of = self.whole(term)?;
         let rotors = self.rotors_of(&of)?;
         match of {
@@ -96,6 +97,45 @@ impl Builder<'_> {
             |load: &Term| matches!(load, Term::Phrase(load) if load.slot(Slot::Of).is_some());
         let one = premise.all(Slot::With).count() == 1 && premise.all(Slot::With).all(agent);
         (known && one && premise.slot(Slot::Along).is_some()).then_some(())
+    }
+
+    /// The angular momentum of rotors relative to the body that carries them, Σ J Ω g: their mass centres are at rest in it,
+    /// so that it is the same about all points.
+    pub(super) fn momentum_of_rotors_in_body(
+        &mut self,
+        phrase: &NounPhrase,
+        relative: FrameId,
+    ) -> Option<Quantity> {
+        let (Term::Name(plural), None) = (phrase.slot(Slot::Of)?, phrase.slot(Slot::Along)) else {
+            return None;
+        };
+        let family = *self.families.get(singular(plural)?)?;
+        let body = self.reading.system.families[family].body?;
+        let rotors = self.reading.system.bodies[body].rotors.clone()?;
+        let own = self.reading.system.bodies[body].frame == Some(relative);
+        let members = self.reading.system.families[family]
+            .indices
+            .contains(&rotors.index);
+        if !own || !members || phrase.slot(Slot::VelocitiesRelativeTo).is_some() {
+            return None;
+        }
+        let one = rotors.axis * (rotors.inertia * rotors.rate);
+        let sum = self.system().sum_vector(&one, &rotors.index)?;
+        Some(Quantity::Known(Value::vector(&sum, Basis::Itself)))
+    }
+
+    /// Whether a place is that of the mass centre of a rotor, on its axis.
+    pub(super) fn lies_on_axis_of_rotor(
+        &mut self,
+        subjects: &[Term],
+        slots: &[(Slot, Term)],
+        declaration: &Declaration,
+    ) -> bool {
+        let ([Term::Phrase(centre)], [(Slot::On, axis)]) = (subjects, slots) else {
+            return false;
+        };
+        let of = centre.slot(Slot::Of).filter(|_| centre.head == MASS_CENTRE);
+        of.is_some_and(|of| self.is_axis_of_rotor(of, axis, declaration))
     }
 
     /// The angular momentum of a rotor about its mass centre along its axis.

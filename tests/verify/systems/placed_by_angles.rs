@@ -211,3 +211,79 @@ $$ I = \begin{bmatrix} I_{xx} & I_{xy} & I_{xz}\\ I_{yx} & I_{yy} & I_{xz}\\ I_{
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn angles_place_points_of_bodies_by_their_frames_and_distances() {
+    let sentences = r"N is an inertial frame.
+x, y, z are the axes of N.
+y is the upward vertical.
+C is a frame fixed in the upper link.
+D is a frame fixed in the lower link.
+C turns relative to N about z.
+D turns relative to N about z.
+O is a point fixed in N and in C.
+P is a point fixed in C and in D.
+G is the mass centre of the upper link.
+H is the mass centre of the lower link.
+O, P, G and H lie in the plane of x and y.
+$\mathbf a$ is the position of G from O.
+$\mathbf b$ is the position of P from O.
+$\mathbf c$ is the position of H from P.
+$k$ is the distance of G from O.
+$l$ is the distance of P from O.
+$n$ is the distance of H from P.
+$k$, $l$, $n$ and $\epsilon$ are constant.
+$\alpha$ is the angle about z from the downward vertical to $\mathbf a$.
+$\beta$ is the angle about z from $-y$ to $\mathbf c$.
+$\epsilon$ is the angle about z from $\mathbf a$ to $\mathbf b$.
+$u$ and $v$ are the components of the position of H from O along x and y.
+The cross product of two vectors of the plane means its component along z.
+";
+    let text = r"
+$$ \mathbf a = k\sin\alpha\,x - k\cos\alpha\,y $$
+$$ \mathbf b = l\sin(\alpha+\epsilon)\,x - l\cos(\alpha+\epsilon)\,y $$
+$$ u = l\sin(\alpha-\epsilon) + n\sin\beta $$
+$$ u = l\sin(\alpha+\epsilon) + n\sin\beta $$
+$$ \dot v = l\dot\alpha\sin(\alpha+\epsilon) + n\dot\beta\sin\beta $$
+$$ \mathbf a\times\mathbf b = k l\sin\epsilon $$
+$$ \mathbf a\times\mathbf b = k l\cos\epsilon $$
+";
+    assert_eq!(judged(sentences, text), "pprpppr");
+}
+
+#[test]
+fn a_frame_is_turned_by_the_azimuth_and_the_lean_of_its_axis() {
+    let sentences = r"N is an inertial frame.
+$e_1$, $e_2$, $e_3$ are the axes of N.
+A is a frame that turns relative to N.
+$u$, $v$, $w$ are the axes of A.
+The angle between $e_3$ and $w$ is $q$.
+The plane of $e_3$ and $w$ turns about $e_3$ by the angle $p$ from the plane of $e_3$ and $e_1$.
+$v=\frac{w\times e_3}{\sin q}$.
+$\omega$ is the angular velocity of A relative to N.
+";
+    let text = r"
+$$ w = \sin q\cos p\,e_1+\sin q\sin p\,e_2+\cos q\,e_3 $$
+$$ w = \sin q\cos p\,e_1-\sin q\sin p\,e_2+\cos q\,e_3 $$
+$$ \omega = -\dot q\,v + \dot p\,e_3 $$
+$$ \omega = \dot q\,v + \dot p\,e_3 $$
+$$ v = \sin p\,e_1 - \cos p\,e_2 $$
+";
+    assert_eq!(judged(sentences, text), "prprp");
+    let sentences = r"N is an inertial frame.
+$e_1$, $e_2$, $e_3$ are the axes of N.
+A is a frame that turns relative to N.
+$u$, $v$, $w$ are the axes of A.
+$q$ is the angle between $w$ and $e_3$.
+$p$ is the angle about $e_3$ from $e_2$ to the projection of $w$ on the plane of $e_1$ and $e_2$.
+$u$ points along $e_3\times w$.
+$\omega$ is the angular velocity of A relative to N.
+";
+    let text = r"
+$$ w = \sin q\cos p\,e_2-\sin q\sin p\,e_1+\cos q\,e_3 $$
+$$ w = \sin q\cos p\,e_1+\sin q\sin p\,e_2+\cos q\,e_3 $$
+$$ \omega = \dot q\,u + \dot p\,e_3 $$
+$$ \omega = \dot q\,v + \dot p\,e_3 $$
+";
+    assert_eq!(judged(sentences, text), "prpr");
+}
