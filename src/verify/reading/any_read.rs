@@ -46,7 +46,11 @@ pub(crate) fn instances(
             let any = any_things(&declaration.statement)?;
             let kinds = any.iter().map(|thing| {
                 let of_point = stands_for_point(&declaration.statement, thing);
-                if of_point { points.clone() } else { frames.clone() }
+                if of_point {
+                    points.clone()
+                } else {
+                    frames.clone()
+                }
             });
             let kinds = kinds.collect();
             Some((any, kinds))
