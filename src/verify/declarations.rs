@@ -2,6 +2,7 @@
 
 use crate::notation::document::{Document, Sentence, line_name};
 use crate::source::{Source, Span};
+use crate::verify::language::either::cases;
 use crate::verify::language::statement::{Declaration, Misread};
 use crate::verify::language::{Lexicon, read_declarations, sentence};
 use crate::verify::verdict::Meant;
@@ -33,6 +34,8 @@ pub struct Declared {
     pub declarations: Vec<Declaration>,
     /// Sentences that were not understood.
     pub misunderstood: Vec<Misunderstood>,
+    /// The same in each of two cases, where a sentence leaves open which of them is so.
+    pub(crate) cases: Vec<Declared>,
     /// Where each sentence stands.
     origins: Vec<Origin>,
     /// The sentence that each declaration is of.
@@ -122,23 +125,8 @@ pub fn declarations(document: &Document, sheets: &[Sheet]) -> Declared {
             text: format!("Products of inertia are {products}."),
         });
     }
-    let texts: Vec<&str> = origins.iter().map(|origin| origin.text.as_str()).collect();
-    let (found, misread) =
-        read_declarations(&texts.join("\n"), &document.macros, Lexicon::shared());
-    for mut declaration in found {
-        declared.of.push(declaration.line.saturating_sub(1));
-        let words: Vec<&str> = declaration.text.split_whitespace().collect();
-        declaration.text = words.join(" ");
-        declared.declarations.push(declaration);
-    }
-    for misread in misread {
-        if let Some(origin) = origins.get(misread.line.saturating_sub(1)) {
-            declared
-                .misunderstood
-                .push(placed(document, sheets, origin, misread));
-        }
-    }
-    declared.origins = origins;
+    let stuck = declared.read(document, sheets, origins);
+    declared.part_cases(document, sheets, &stuck);
     declared
 }
 
@@ -196,6 +184,51 @@ fn is_setting(text: &str) -> bool {
 }
 
 impl Declared {
+    /// Reads sentences, and returns the numbers of those that are not understood.
+    fn read(&mut self, document: &Document, sheets: &[Sheet], origins: Vec<Origin>) -> Vec<usize> {
+        let texts: Vec<&str> = origins.iter().map(|origin| origin.text.as_str()).collect();
+        let (found, misread) =
+            read_declarations(&texts.join("\n"), &document.macros, Lexicon::shared());
+        for mut declaration in found {
+            self.of.push(declaration.line.saturating_sub(1));
+            let words: Vec<&str> = declaration.text.split_whitespace().collect();
+            declaration.text = words.join(" ");
+            self.declarations.push(declaration);
+        }
+        let mut stuck = vec![];
+        for misread in misread {
+            let number = misread.line.saturating_sub(1);
+            if let Some(origin) = origins.get(number) {
+                stuck.push(number);
+                self.misunderstood
+                    .push(placed(document, sheets, origin, misread));
+            }
+        }
+        self.origins = origins;
+        stuck
+    }
+
+    /// Of the first sentence that leaves open which of two things is so, and that is understood in both cases, each of them.
+    fn part_cases(&mut self, document: &Document, sheets: &[Sheet], stuck: &[usize]) {
+        let parted = stuck.iter().enumerate().find_map(|(place, &number)| {
+            let texts = cases(&self.origins[number].text)?;
+            let read = |text: String| {
+                let mut origins = self.origins.clone();
+                origins[number].text = text;
+                let mut case = Declared::default();
+                let left = case.read(document, sheets, origins);
+                (!left.contains(&number)).then_some(case)
+            };
+            let cases: Option<Vec<Declared>> = texts.into_iter().map(read).collect();
+            Some((place, cases?))
+        });
+        if let Some((place, cases)) = parted {
+            let before = self.misunderstood.len() - stuck.len();
+            self.misunderstood.remove(before + place);
+            self.cases = cases;
+        }
+    }
+
     /// Whether nothing was declared, and nothing tried.
     pub fn is_empty(&self) -> bool {
         self.declarations.is_empty() && self.misunderstood.is_empty()
@@ -213,7 +246,18 @@ impl Declared {
                 .get(of)
                 .map_or(String::new(), |origin| origin.name.clone()),
         });
-        meant.collect()
+        let mut meant: Vec<Meant> = meant.collect();
+        // A sentence that leaves two cases open is printed as it stands.
+        if let [first, ..] = self.cases.as_slice() {
+            let differ = |(own, case): (&Origin, &Origin)| {
+                (own.text != case.text).then(|| Meant {
+                    sentence: own.text.clone(),
+                    source: own.name.clone(),
+                })
+            };
+            meant.extend(self.origins.iter().zip(&first.origins).filter_map(differ));
+        }
+        meant
     }
 
     /// The sheet and the bytes of a sentence, by the text of its declarations.

@@ -5,6 +5,7 @@ use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
 use crate::verify::declarations::Declared;
+use crate::verify::declared::cases::in_all_cases;
 use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::facts::proof::uses;
 use crate::verify::language::rate_letters::with_rates;
@@ -20,6 +21,7 @@ use crate::verify::verdict::{
 };
 use std::collections::{BTreeMap, HashMap, HashSet};
 
+mod cases;
 mod judgment;
 
 pub(crate) use judgment::Shared;
@@ -35,6 +37,14 @@ const DIFFER: &str = "the sides differ";
 
 /// Checks every line of a document by what is declared of it.
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
+    if let [first, others @ ..] = declared.cases.as_slice() {
+        let others: Vec<Report> = others.iter().map(|c| judge_declared(document, c)).collect();
+        let report = in_all_cases(check_declared(document, first), &others);
+        return Report {
+            meaning: declared.meaning(),
+            ..report
+        };
+    }
     let document = &*with_rates(document, &declared.declarations);
     let mut judgments = judgments(document, &declared.declarations, std::iter::empty());
     judgments.iter_mut().for_each(Judgment::correct);

@@ -32,6 +32,10 @@ pub(crate) const ONE_ELEMENT: &str =
 pub(crate) const UNTIED: &str = "a value at an instant is not worked out";
 pub(crate) const HOLDS_AT_INSTANT: &str =
     "it holds at an instant, and the motion from there is not worked out";
+pub(crate) const IN_BOTH_CASES: &str =
+    "it holds in both cases that a sentence leaves open; the proof is that of the first";
+pub(crate) const OPEN_CASE: &str =
+    "it depends on which of two things is so, and a sentence leaves that open";
 pub(crate) const OPEN_MEANING: &str = "the types do not tell which of its meanings a letter has";
 pub(crate) const OPEN_SIGNS: &str = "more than one sign is left open";
 pub(crate) const ALWAYS_THE_SAME: &str = "both sides are always the same";

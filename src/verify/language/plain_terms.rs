@@ -23,6 +23,7 @@ use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::hung_rods::{lay_hung_rods, name_rod_lines};
 use super::in_turn::{part_letters, part_respectively};
+use super::indexed_lists::part_indexed;
 use super::introduce::introduce;
 use super::kinds::{
     fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
@@ -128,6 +129,7 @@ fn name_things(
     name_origins(&mut declarations);
     tell_frames_of_parts(&mut declarations);
     tell_parallel_frames(&mut declarations);
+    part_indexed(&mut declarations, macros);
     let respectively = part_first(part_respectively(declarations));
     declarations = turn_in_order(part_centres(part_letters(respectively)));
     write_letters(&mut declarations, lexicon, macros);

@@ -339,3 +339,26 @@ $$ H\cdot e_3 = 0 $$
 ";
     assert_eq!(judged(sentences, text), "pr");
 }
+
+#[test]
+fn a_letter_with_an_index_behind_a_list_of_components_is_the_one_of_that_number() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+O is the mass centre of the body.
+$i$ and $j$ number the axes of B.
+$\mathbf w$ is the angular velocity of B relative to N.
+$w_1$, $w_2$, $w_3$ and $w_j$ are the components of $\mathbf w$ on B.
+$\mathbf I$ is the inertia tensor of the body about O.
+$I_{ij}$ is entry (i, j) of $\mathbf I$ on B.
+$\mathbf L$ is the angular momentum of the body about O relative to N.
+$L_i$ is the component $i$ of $\mathbf L$ on B.
+";
+    let text = r"
+$$ L_i = \sum_j I_{ij} w_j $$
+$$ \mathbf w\cdot\mathbf w = w_1^2 + w_2^2 + w_3^2 $$
+$$ L_i = \sum_j I_{ij} w_i $$
+$$ \mathbf w\cdot\mathbf w = w_1^2 + w_2^2 - w_3^2 $$
+";
+    assert_eq!(judged(sentences, text), "pprr");
+}

@@ -229,3 +229,25 @@ $$ w = w_i e_i $$
 ";
     assert_eq!(judged(sentences, text), "p");
 }
+
+#[test]
+fn a_line_holds_where_it_holds_in_both_cases_that_a_sentence_leaves_open() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+O is the mass centre of the body or a point fixed in N and in B.
+$\mathbf w$ is the angular velocity of B relative to N.
+$\mathbf I$ is the inertia tensor of the body about O.
+$\mathbf L$ is the angular momentum of the body about O relative to N.
+$\mathbf M$ is the total moment on the body about O.
+$\dot{\mathbf L}$ is the rate of $\mathbf L$ seen from N.
+$T$ is the kinetic energy of the body.
+";
+    let text = r"
+$$ \mathbf L = \mathbf I\mathbf w $$
+$$ \dot{\mathbf L} = \mathbf M $$
+$$ \dot{\mathbf L} = -\mathbf M $$
+$$ T = \frac12\mathbf w\cdot\mathbf I\mathbf w $$
+";
+    assert_eq!(judged(sentences, text), "ppru");
+}

@@ -1,0 +1,40 @@
+//! Sentences that leave open which of two things is so: "O is the mass centre of the body or a point fixed in N."
+
+/// Articles with which what something is begins.
+const ARTICLES: [&str; 3] = ["a", "an", "the"];
+
+/// Longer sentences are not parted.
+const LONGEST: usize = 400;
+
+/// The two sentences of which one is meant, if it is one that says of something that it is one thing or another.
+pub(crate) fn cases(sentence: &str) -> Option<[String; 2]> {
+    let said = sentence.trim().trim_end_matches('.');
+    let (one, other) = said.split_once(" or ")?;
+    let plain = said.len() <= LONGEST && !other.contains(" or ") && !said.contains(['$', '`', ',']);
+    let (verb, _) = [" is ", " are "]
+        .into_iter()
+        .filter_map(|verb| Some((verb, one.find(verb)?)))
+        .min_by_key(|(_, at)| *at)?;
+    let (subject, what) = one.split_once(verb)?;
+    let begins = |text: &str| {
+        let first = text.split_whitespace().next();
+        first.is_some_and(|first| ARTICLES.contains(&first))
+    };
+    let told = plain && begins(what) && begins(other);
+    told.then(|| [format!("{one}."), format!("{subject}{verb}{other}.")])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cases;
+
+    #[test]
+    fn one_of_two_things_is_meant() {
+        let both = cases("O is the mass centre of the body or a point fixed in N and in B.");
+        let both = both.map(|both| both.join(" "));
+        let told = "O is the mass centre of the body. O is a point fixed in N and in B.";
+        assert_eq!(both.as_deref(), Some(told));
+        assert_eq!(cases("O is at rest or moves evenly."), None);
+        assert_eq!(cases("The rod is long."), None);
+    }
+}

@@ -1,0 +1,92 @@
+//! Letters with an index at the end of a list of components: "`$w_1$, $w_2$, $w_3$ and $w_j$` are the components of w".
+
+use super::heads::PRINCIPAL_MOMENTS;
+use super::reader::formula;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::notation::Macros;
+use crate::notation::ast::Kind;
+use crate::notation::document::Row;
+
+/// Nouns of which a list has one for each axis.
+const OF_EACH_AXIS: [&str; 2] = ["component", PRINCIPAL_MOMENTS];
+
+/// Says of each such letter by itself that it is the component with its index, where sentences say that this numbers axes.
+pub(crate) fn part_indexed(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let indices: Vec<String> = declarations.iter().flat_map(axis_indices).collect();
+    if indices.is_empty() {
+        return;
+    }
+    let mut added = vec![];
+    for declaration in declarations.iter_mut() {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let own = |term: &Term| index_of(term).filter(|index| indices.contains(index));
+        let (indexed, plain): (Vec<Term>, Vec<Term>) = subjects
+            .iter()
+            .cloned()
+            .partition(|term| own(term).is_some());
+        let listed = OF_EACH_AXIS.contains(&what.head) && what.slot(Slot::Which).is_none();
+        if !listed || indexed.is_empty() || plain.len() < 2 {
+            continue;
+        }
+        for letter in indexed {
+            let index = own(&letter).and_then(|index| formula(&index, false, macros));
+            let said = index.map(|index| one_of(letter, what, index));
+            added.extend(said.map(|said| declaration.saying(said)));
+        }
+        let what = what.clone();
+        declaration.statement = Statement::Is {
+            subjects: plain,
+            what,
+        };
+    }
+    declarations.extend(added);
+}
+
+/// "`$w_j$` is the component `$j$` of w"
+fn one_of(letter: Term, what: &NounPhrase, index: Formula) -> Statement {
+    let mut what = what.clone();
+    what.slots.insert(0, (Slot::Which, Term::Formula(index)));
+    Statement::one_is(letter, what)
+}
+
+/// The letters that a sentence says to number axes.
+fn axis_indices(declaration: &Declaration) -> Vec<String> {
+    let axes = |(_, term): &(Slot, Term)| matches!(term, Term::Phrase(p) if p.head == "axes");
+    let numbered = declaration.statement.does("number");
+    let numbered = numbered.filter(|(_, slots)| slots.iter().any(axes));
+    let letters = numbered.map_or(&[][..], |(subjects, _)| subjects);
+    let name = |term: &Term| match term {
+        Term::Formula(letter) => symbol_name(letter),
+        _ => None,
+    };
+    letters.iter().filter_map(name).collect()
+}
+
+fn symbol_name(letter: &Formula) -> Option<String> {
+    match &letter.row {
+        Row::Expression(node) => match &node.kind {
+            Kind::Symbol(symbol) => Some(symbol.name.clone()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
+
+/// The index of a letter that has one and no other label.
+fn index_of(term: &Term) -> Option<String> {
+    let Term::Formula(letter) = term else {
+        return None;
+    };
+    let Row::Expression(node) = &letter.row else {
+        return None;
+    };
+    match &node.kind {
+        Kind::Symbol(symbol) => match symbol.subscripts.as_slice() {
+            [index] => Some(index.clone()),
+            _ => None,
+        },
+        _ => None,
+    }
+}
