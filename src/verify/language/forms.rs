@@ -29,9 +29,10 @@ pub(crate) fn alternatives(form: &'static str) -> Vec<String> {
 
 /// The plural of a noun: the ending is on the word before "of" or on the last one.
 pub(crate) fn in_plural(noun: &str) -> String {
-    let stop = [" of ", " in ", " to ", " without ", " about "];
-    let end = stop.iter().filter_map(|s| noun.find(s)).min();
-    let (head, rest) = noun.split_at(end.unwrap_or(noun.len()));
+    const STOPS: [&str; 5] = [" of ", " in ", " to ", " without ", " about "];
+    let mut spaces = noun.char_indices().filter(|(_, c)| *c == ' ');
+    let end = spaces.find(|(at, _)| STOPS.iter().any(|stop| noun[*at..].starts_with(stop)));
+    let (head, rest) = noun.split_at(end.map_or(noun.len(), |(at, _)| at));
     format!("{}{rest}", with_s(head))
 }
 

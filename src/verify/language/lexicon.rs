@@ -330,11 +330,11 @@ impl Lexicon {
                 continue;
             }
             let (prep, filled) = word.split_once('=').unwrap_or((word, word));
-            let own = self
-                .entries
-                .iter()
-                .find(|e| e.class == Class::Preposition && e.name.split(' ').eq(filled.split('-')));
-            let filled = slot(filled).or_else(|| own.and_then(|e| e.slots.first().map(|s| s.1)));
+            let same = |e: &&Entry| {
+                e.class == Class::Preposition && e.name.split(' ').eq(filled.split('-'))
+            };
+            let own = || self.entries.iter().find(same)?.slots.first();
+            let filled = slot(filled).or_else(|| own().map(|s| s.1));
             slots.extend(filled.map(|slot| (prep, slot)));
         }
         slots

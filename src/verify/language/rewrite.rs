@@ -87,7 +87,7 @@ impl Rule {
     /// What the pattern becomes, if it can; words that are put in stand where `near` stands.
     fn written(&self, bound: &Bound<'_>, near: &Token) -> Option<Vec<Token>> {
         let mut new: Vec<Token> = vec![];
-        for piece in &self.plain {
+        for piece in &self.plain() {
             match piece {
                 Piece::Any(c)
                 | Piece::One(c)
@@ -111,8 +111,13 @@ impl Rule {
                         (CHOSEN, [word]) if is_one_of(word, words) => Some(word.clone()),
                         _ => None,
                     });
-                    let word =
-                        || put_in(Kind::Word, words.first().map_or("", String::as_str), place);
+                    let word = || {
+                        put_in(
+                            Kind::Word,
+                            words.first().copied().unwrap_or_default(),
+                            place,
+                        )
+                    };
                     new.push(stood.unwrap_or_else(word));
                 }
                 Piece::Sign(kind) => {
@@ -170,7 +175,7 @@ fn matched<'t>(pattern: &[Piece], tokens: &'t [Token], whole: bool) -> Option<(u
         bound.push((c, own));
         Some((used, bound))
     };
-    let one_of = |words: &[String]| {
+    let one_of = |words: &[&str]| {
         let (used, mut bound) = tokens
             .first()
             .filter(|t| is_one_of(t, words))
@@ -217,8 +222,8 @@ fn said_alike(one: &[Token], other: &[Token]) -> bool {
 }
 
 /// Whether a word, a number or a sign that may be spoken of is one of some words.
-fn is_one_of(token: &Token, words: &[String]) -> bool {
-    said_word(token).is_some_and(|said| words.contains(said))
+fn is_one_of(token: &Token, words: &[&str]) -> bool {
+    said_word(token).is_some_and(|said| words.contains(&said.as_str()))
 }
 
 fn begins_phrase(token: &Token) -> bool {

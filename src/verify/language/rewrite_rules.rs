@@ -11,9 +11,9 @@ pub(super) const RULES: &str = include_str!("rewrites.txt");
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Piece {
     /// One of some words.
-    Words(Vec<String>),
+    Words(Vec<&'static str>),
     /// One of some words, or nothing.
-    Maybe(Vec<String>),
+    Maybe(Vec<&'static str>),
     /// One piece or more, as few as fit.
     Any(char),
     /// A list of formulas.
@@ -27,14 +27,15 @@ pub(super) enum Piece {
     /// A sign.
     Sign(Kind),
     /// A formula that is put together from formulas and signs.
-    Built(String),
+    Built(&'static str),
 }
 
 /// A way to say something, and the plain one.
 #[derive(Clone, Debug)]
 pub(super) struct Rule {
     pub(super) pattern: Vec<Piece>,
-    pub(super) plain: Vec<Piece>,
+    /// What it becomes, as it is written.
+    plain: &'static str,
     /// Whether it is said of a whole clause, and not of words inside of one.
     pub(super) whole: bool,
     /// Whether it comes before the grammar, which takes the words for something else.
@@ -46,7 +47,7 @@ pub(super) struct Rule {
 /// The rules, in the order in which they are tried, and the words that they ask for by their numbers.
 pub(super) struct Rules {
     all: Vec<Rule>,
-    numbers: HashMap<String, usize>,
+    numbers: HashMap<&'static str, usize>,
 }
 
 pub(super) fn rules() -> &'static Rules {
@@ -58,7 +59,7 @@ pub(super) fn rules() -> &'static Rules {
                 let mut alternatives = vec![];
                 for word in words {
                     let next = numbers.len();
-                    alternatives.push(*numbers.entry(word.clone()).or_insert(next));
+                    alternatives.push(*numbers.entry(*word).or_insert(next));
                 }
                 rule.asks_for.push(alternatives);
             }
@@ -74,7 +75,7 @@ impl Rules {
     pub(super) fn fitting(&self, tokens: &[Token]) -> impl Iterator<Item = &Rule> {
         let mut stands = vec![false; self.numbers.len()];
         for token in tokens {
-            let number = said_word(token).and_then(|word| self.numbers.get(word));
+            let number = said_word(token).and_then(|word| self.numbers.get(word.as_str()));
             if let Some(&number) = number {
                 stands[number] = true;
             }
@@ -87,8 +88,15 @@ impl Rules {
     }
 }
 
+impl Rule {
+    /// The pieces of what it becomes: few rules are applied, and so they are parted then alone.
+    pub(super) fn plain(&self) -> Vec<Piece> {
+        pieces(self.plain)
+    }
+}
+
 /// `pattern => plain ## example`; a rule behind `~` is one of words inside a clause, one behind `!` comes before the grammar.
-pub(super) fn rule(line: &str) -> Option<Rule> {
+pub(super) fn rule(line: &'static str) -> Option<Rule> {
     let line = line.split("##").next()?.trim();
     if line.starts_with('#') {
         return None;
@@ -97,17 +105,20 @@ pub(super) fn rule(line: &str) -> Option<Rule> {
     let line = before.unwrap_or(line).trim_start();
     let inside = line.strip_prefix('~');
     let (pattern, plain) = inside.unwrap_or(line).split_once("=>")?;
-    let pieces = |text: &str| -> Vec<Piece> { text.split_whitespace().map(piece).collect() };
     Some(Rule {
         whole: inside.is_none(),
         first: before.is_some(),
         pattern: pieces(pattern),
-        plain: pieces(plain),
+        plain,
         asks_for: vec![],
     })
 }
 
-fn piece(text: &str) -> Piece {
+fn pieces(text: &'static str) -> Vec<Piece> {
+    text.split_whitespace().map(piece).collect()
+}
+
+fn piece(text: &'static str) -> Piece {
     let mut letters = text.chars();
     match (letters.next(), letters.next()) {
         (Some(','), None) => return Piece::Sign(Kind::Comma),
@@ -122,9 +133,9 @@ fn piece(text: &str) -> Piece {
         _ => {}
     }
     if let Some(built) = text.strip_prefix('[').and_then(|t| t.strip_suffix(']')) {
-        return Piece::Built(built.to_owned());
+        return Piece::Built(built);
     }
-    let words = |text: &str| text.split('|').map(str::to_owned).collect();
+    let words = |text: &'static str| text.split('|').collect();
     match text.strip_suffix('?') {
         Some(text) => Piece::Maybe(words(text)),
         None => Piece::Words(words(text)),
