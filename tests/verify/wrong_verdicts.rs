@@ -302,12 +302,3 @@ $$ \begin{{bmatrix}} {first} \\ h_y \\ h_z \end{{bmatrix}} = \begin{{bmatrix}} I
     assert_eq!(last(&with("h_x")), 'p');
     assert_ne!(last(&with("r_x")), 'p');
 }
-
-#[test]
-fn what_is_free_may_vanish_in_a_case_that_is_considered() {
-    let text = r"A point of mass $m$ has the acceleration $\mathbf a$, and $\sum\mathbf F = m\mathbf a$.
-
-- There is no actual force acting: $\sum\mathbf F = 0$
-";
-    assert_ne!(last(text), 'r');
-}

@@ -87,10 +87,11 @@ fn without_end_mark(tokens: &mut Vec<Token<'_>>) {
         let script = scripted && matches!(t.kind, Lexeme::Open | Lexeme::Close);
         number || script || is_script(t.kind) || is_blank(t) || t.kind == Lexeme::Char('.')
     });
-    // A sign before it waits for an operand, and alone it closes nothing.
+    // A sign before it waits for an operand, and a square alone is a letter.
     let before = trimmed(&tokens[..at]).last();
     let waits = |t: &Token<'_>| super::group::is_sign(t.kind) || is_script(t.kind);
-    if closes && !before.is_none_or(waits) {
+    let letter = before.is_none() && tokens[at].kind == Lexeme::Command("square");
+    if closes && !letter && !before.is_some_and(waits) {
         tokens.truncate(at);
     }
 }

@@ -9,7 +9,7 @@ use super::kinds::{name, rename};
 use super::places::is_marked_vector;
 use super::planar::names_axes;
 use super::planar_axes::{ACROSS, TOWARDS, UPRIGHT, axis};
-use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, Touched, slot};
 use super::traits::{Trait, has};
 
 /// What is a plane by its noun, where no sentence introduces it.
@@ -42,6 +42,12 @@ pub(crate) fn lay_slopes(declarations: &mut Vec<Declaration>) {
     let Some(ground) = inertial_frame(declarations).filter(|_| !others) else {
         return;
     };
+    if declarations
+        .iter()
+        .any(|d| moves(&d.statement, &plane, &ground))
+    {
+        return;
+    }
     let told = declarations[at].clone();
     let mut added = introduce_plane(&plane, &ground, declarations);
     if !names_axes(declarations, Some(&ground)) && !declarations.iter().any(tells_lie) {
@@ -106,6 +112,22 @@ fn inertial_frame(declarations: &[Declaration]) -> Option<Term> {
     }
 }
 
+/// Whether a plane moves or turns, or is fixed in something else than the inertial frame.
+fn moves(statement: &Statement, plane: &Term, ground: &Term) -> bool {
+    let elsewhere = |what: &NounPhrase| {
+        let mut frames = what.all(Slot::FixedIn);
+        frames.any(|frame| frame != ground)
+    };
+    match statement {
+        Statement::Is { subjects, what } => subjects.contains(plane) && elsewhere(what),
+        Statement::Premise(what) => what.head == PLANE && elsewhere(what),
+        Statement::Does { subjects, verb, .. } => {
+            subjects.contains(plane) && !matches!(*verb, "incline" | "lie")
+        }
+        _ => false,
+    }
+}
+
 /// "The slope is fixed in N", and "the slope is inclined …" alone: it is a plane there.
 fn introduce_plane(
     plane: &Term,
@@ -150,7 +172,9 @@ fn tells_lie(declaration: &Declaration) -> bool {
 
 /// What rolls on a plane, and nothing that sentences turn otherwise.
 fn rolling_on(plane: &Term, declarations: &[Declaration]) -> Vec<Term> {
-    let rolling = declarations.iter().filter_map(|d| {
+    // What rolls on a plane may move across it as well.
+    let down = |d: &&Declaration| d.text.split_whitespace().any(|word| word == "down");
+    let rolling = declarations.iter().filter(down).filter_map(|d| {
         let (subjects, slots) = d.statement.does("roll")?;
         let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
         on.is_none_or(|on| on == plane).then_some(subjects)
@@ -213,12 +237,25 @@ fn tell_senses(rolling: &[Term], across: &Term, declarations: &mut [Declaration]
             continue;
         }
         match what.head {
-            head if TURNING.contains(&head) && what.adjectives.is_empty() && !counted_up => {
-                what.slots.push((Slot::Along, across.clone()));
-            }
+            head if TURNING.contains(&head) && what.adjectives.is_empty() => match counted_up {
+                true => declaration.statement = not_told(subjects),
+                false => what.slots.push((Slot::Along, across.clone())),
+            },
             MOMENT_OF_INERTIA => what.slots.push((Slot::About, across.clone())),
             _ => {}
         }
+    }
+}
+
+/// That of letters nothing is understood: which way they count may be either.
+fn not_told(letters: &[Term]) -> Statement {
+    let formulas = letters.iter().filter_map(|letter| match letter {
+        Term::Formula(formula) => Some(formula.clone()),
+        _ => None,
+    });
+    Statement::Unread {
+        letters: vec![],
+        touched: Touched::Written(formulas.collect()),
     }
 }
 

@@ -6,7 +6,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
-use crate::verify::lines::given::{is_in_digits, is_zero, operands_of_rates};
+use crate::verify::lines::given::{is_in_digits, operands_of_rates};
 use crate::verify::lines::line::Read;
 use crate::verify::reason;
 use crate::verify::theory::Name;
@@ -241,9 +241,6 @@ impl Checker<'_> {
                 "it holds for a component along an axis, and not for the length".to_owned(),
             );
         }
-        if self.lets_what_is_free_vanish(sides, read) {
-            return Some("nothing before says that it is zero, nor that it is not".to_owned());
-        }
         let name = self.value_of_an_instant(&written, sides, read)?;
         Some(format!("the value of {name} may hold at one instant alone"))
     }
@@ -330,16 +327,6 @@ impl Checker<'_> {
             .collect();
         axes.iter()
             .any(|letter| self.reading.usage.primed.contains(letter))
-    }
-
-    /// `\sum\mathbf F = 0`: whether a line says that one quantity vanishes, and no rate. That may be a case that is considered.
-    fn lets_what_is_free_vanish(&self, sides: &[Node], read: &Read) -> bool {
-        let [_, right] = sides else { return false };
-        let whole = |rest: &Fraction| match rest.as_variable() {
-            Some(v) => matches!(self.theory.atoms.atom(v), Atom::Part { order: 0, .. }),
-            None => rest.is_zero(),
-        };
-        is_zero(right) && read.residuals().all(whole)
     }
 
     /// Whether a line holds where the length of a vector in it is the component along one of the axes.

@@ -95,10 +95,18 @@ impl Builder<'_> {
                 && let Some((frame, axis)) = what
                     .slot(Slot::Along)
                     .filter(|_| what.head == UNIT_VECTOR && declaration.extent == Extent::Document)
-                    .and_then(|along| self.axis_of_frame(along))
+                    .and_then(|along| self.axis_said(what, along))
             {
                 self.name_axis(subject, frame, axis, declaration);
             }
+        }
+    }
+
+    /// "along z", "along z of D": the axis of a frame, of the one that is said.
+    pub(super) fn axis_said(&self, what: &NounPhrase, along: &Term) -> Option<(FrameId, usize)> {
+        match what.slot(Slot::Of).map(|of| self.frame(of)) {
+            Some(frame) => Some((frame?, self.number_of_axis_on(along, frame)?)),
+            None => self.axis_of_frame(along),
         }
     }
 

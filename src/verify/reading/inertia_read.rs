@@ -238,7 +238,10 @@ fn any_axis_across(phrase: &NounPhrase) -> Option<&Term> {
     };
     let one = axis.all(Slot::With).count() == 1;
     let alone = axis.slot(Slot::Along).is_none() && axis.slot(Slot::Of).is_none();
-    let across = axis.head == "axis" && (axis.is("any") || one && alone);
+    // What stands on a body is not across its axis: "perpendicular to the disc".
+    let of_body =
+        matches!(axis.slot(Slot::With), Some(Term::Name(name)) if name.chars().count() > 2);
+    let across = axis.head == "axis" && (axis.is("any") || one && alone && !of_body);
     axis.slot(Slot::With).filter(|_| across)
 }
 

@@ -265,7 +265,6 @@ impl Builder<'_> {
             REMAINDER => self.read_remainder(subjects, what, declaration),
             head if is_made_of_matrix(head) => self.read_made_of(subjects, what, declaration),
             "product" | "quotient" => self.read_product(subjects, what, declaration),
-            // `e` with a power is the exponential function wherever it stands.
             NATURAL_BASE => {
                 let is_e = |f: &Formula| matches!(f.source.as_str(), "e" | "\\mathrm{e}");
                 formulas(subjects).all(is_e).then_some(())

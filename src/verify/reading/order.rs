@@ -224,7 +224,8 @@ fn stage_of(statement: &Statement) -> usize {
             _ if tells_gravity(what) => BEFORE_LOADS,
             "vector" | UNIT_VECTOR | "mass" | "position" => BEFORE_LOADS,
             CONSTANT => 3,
-            sign if SIGNS.contains(&sign) => 4,
+            "positive" => BEFORE_LOADS,
+            "negative" => 4,
             "component" | PRINCIPAL_MOMENTS | "Lagrangian" | "moment" | "magnitude" | "rate"
             | SECOND_RATE | "entry" | CONJUGATE | SCALAR_PART | VECTOR_PART => 2,
             "angle" | "total energy" => 2,

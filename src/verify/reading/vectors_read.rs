@@ -120,10 +120,7 @@ impl Builder<'_> {
                 },
                 _ => Quantity::UnitVector { text, carried },
             };
-            let quantity = match on {
-                Some(frame) => Quantity::On(quantity.boxed(), frame),
-                None => quantity,
-            };
+            let quantity = on_axes(quantity, on);
             self.denote(formula, Meaning::Quantity(quantity), declaration);
         }
     }
@@ -183,6 +180,10 @@ impl Builder<'_> {
             None if what.slot(Slot::With).is_some() => Some(self.normal_of_shape(what)?),
             // Of a vector that no sentence tells it is only said that it has a direction.
             Some(term @ Term::Formula(_)) => self.operand(&term, declaration),
+            Some(name @ Term::Name(_)) if what.slot(Slot::Of).is_some() => {
+                let (frame, axis) = self.axis_said(what, &name)?;
+                Some(Quantity::Axis(frame, axis))
+            }
             Some(term) => Some(self.direction_named(&term, declaration)?),
             None => None,
         })
@@ -401,5 +402,13 @@ pub(super) fn mark_on(node: &Node) -> Option<Mark> {
         Kind::Symbol(symbol) if symbol.style.hat => Some(Mark::Hat),
         Kind::Symbol(symbol) if symbol.style.tilde => Some(Mark::Tilde),
         _ => None,
+    }
+}
+
+/// A vector, or its components on a frame where one is said.
+fn on_axes(vector: Quantity, frame: Option<FrameId>) -> Quantity {
+    match frame {
+        Some(frame) => Quantity::On(vector.boxed(), frame),
+        None => vector,
     }
 }

@@ -17,7 +17,11 @@ impl System {
             if b.is_zero() && b.is_scalar() {
                 return Ok(a.clone());
             }
-            return ill_typed(format!("{} and {} are added", a.shape(), b.shape()));
+            let unequal = format!("{} and {} are added", a.shape(), b.shape());
+            return match is_number_beside_matrix(a, b) {
+                true => beyond(unequal),
+                false => ill_typed(unequal),
+            };
         }
         let (a, b) = self.brought_together(a, b, custom)?;
         let (shape, entries) = (a.with_entries(vec![]), a.entries);
@@ -268,12 +272,6 @@ impl System {
             };
             return Ok((a.clone(), zero));
         }
-        if let Some(one) = one_beside(a, b) {
-            return Ok((one, b.clone()));
-        }
-        if let Some(one) = one_beside(b, a) {
-            return Ok((a.clone(), one));
-        }
         if a.is_row() && b.is_vector() && a.basis[1] == Basis::Written {
             return self.brought_together(&a.transposed(), b, custom);
         }
@@ -284,25 +282,19 @@ impl System {
         // Columns of two are for motion in a plane, which the model need not know of.
         // Vectors below one another may be the rows of a matrix.
         let in_rows = a.entries.len() == 9 && b.entries.len() == 9;
-        match a.rows == 2 || b.rows == 2 || in_rows {
+        let one = |value: &Value| value.is_scalar() && value.entries[0].is_one();
+        let identity = is_number_beside_matrix(a, b) && (one(a) || one(b));
+        match a.rows == 2 || b.rows == 2 || in_rows || identity {
             true => beyond(unequal),
             false => ill_typed(unequal),
         }
     }
 }
 
-/// A lone 1 that is set equal to a square matrix: the identity matrix.
-fn one_beside(one: &Value, matrix: &Value) -> Option<Value> {
-    let size = matrix.rows;
-    let square = size > 1 && matrix.columns == size;
-    let entry = |at: usize| match at / size == at % size {
-        true => Fraction::one(),
-        false => Fraction::zero(),
-    };
-    (square && one.is_scalar() && one.entries[0].is_one()).then(|| Value {
-        entries: (0..size * size).map(entry).collect(),
-        ..matrix.clone()
-    })
+/// Whether one of two values is a number and the other one a square matrix: the number may mean as many times the identity.
+fn is_number_beside_matrix(a: &Value, b: &Value) -> bool {
+    let square = |matrix: &Value| matrix.rows > 1 && matrix.rows == matrix.columns;
+    a.is_scalar() && square(b) || square(a) && b.is_scalar()
 }
 
 impl System {

@@ -174,7 +174,7 @@ $$ v = \omega\times p + u $$
 $$ v = \omega\times p - u $$
 $$ v = \omega\times p + u $$
 ";
-    assert_eq!(judged(sentences, text), "prr");
+    assert_eq!(judged(sentences, text), "pru");
 }
 
 #[test]

@@ -231,7 +231,7 @@ $$ R^\delta_\beta = R^\alpha_\beta R^\delta_\alpha $$
 }
 
 #[test]
-fn a_lone_one_beside_a_square_matrix_is_the_identity() {
+fn a_number_beside_a_square_matrix_may_mean_the_identity() {
     let sentences = r"
 N is an inertial frame.
 B is a frame that turns relative to N.
@@ -240,10 +240,10 @@ $w$ is the angular velocity of B relative to N in components on B.
 ";
     let text = r"
 $$ R^T R = 1 $$
-$$ 1 = R R^T $$
 $$ R = 1 $$
 $$ R^T R = 2 $$
+$$ R + 1 = 1 + R $$
 $$ w = 1 $$
 ";
-    assert_eq!(judged(sentences, text), "pprrr");
+    assert_eq!(super::verdicts(sentences, text).0, "uurur");
 }
