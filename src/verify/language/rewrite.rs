@@ -296,7 +296,7 @@ mod tests {
     #[test]
     fn each_rule_changes_its_example() {
         let rules = RULES.lines().filter(|line| !line.starts_with('#'));
-        let idle = |line: &&str| {
+        let idle = |line: &&'static str| {
             let (_, example) = line.split_once("##").unwrap_or((line, ""));
             let rule = rule(line).expect("a rule");
             let before = tokens(example.trim(), 1).expect("a sentence");
