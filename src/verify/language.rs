@@ -67,7 +67,7 @@ mod in_lists;
 mod in_turn;
 mod inclinations;
 mod inclined_frames;
-mod indexed_lists;
+pub(crate) mod indexed_lists;
 mod introduce;
 mod joined_formulas;
 mod kept;

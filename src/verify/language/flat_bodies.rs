@@ -1,6 +1,7 @@
 //! Discs and rings that lie in a plane of two axes: they turn about the third one, which is their axis of symmetry.
 
 use super::kinds::name;
+use super::planar_axes::axis;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use super::traits::is_round_and_flat;
 use super::turned_lines::{Direction, direction};
@@ -13,7 +14,7 @@ pub(crate) fn turn_in_own_planes(declarations: &mut Vec<Declaration>) {
     let everywhere = |d: &&mut Declaration| d.extent == Extent::Document;
     for declaration in declarations.iter_mut().filter(everywhere) {
         if let Some((bodies, plane, axes)) = lying(&declaration.statement, &before) {
-            told.extend(turning(&bodies, axes).map(|said| declaration.saying(said)));
+            told.extend(turning_across(&bodies, axes).map(|said| declaration.saying(said)));
             declaration.statement = Statement::Does {
                 subjects: bodies,
                 verb: "move",
@@ -25,11 +26,13 @@ pub(crate) fn turn_in_own_planes(declarations: &mut Vec<Declaration>) {
 }
 
 /// That bodies turn about the third axis, and are symmetric about it.
-fn turning(bodies: &[Term], (one, other): (Direction, Direction)) -> [Statement; 2] {
-    let third = Term::Numbers(vec![6 - one.number - other.number]);
-    let frame = one.frame;
-    let slots = vec![(Slot::Which, third), (Slot::Of, frame.clone())];
-    let axis = Term::Phrase(Box::new(NounPhrase::new("axis", slots)));
+fn turning_across(bodies: &[Term], (one, other): (Direction, Direction)) -> [Statement; 2] {
+    let third = axis(6 - one.number - other.number, Some(&one.frame));
+    turning_about(bodies, one.frame, third)
+}
+
+/// That bodies turn relative to a frame about one of its axes, and are symmetric about it.
+pub(super) fn turning_about(bodies: &[Term], frame: Term, axis: Term) -> [Statement; 2] {
     let about = (Slot::About, axis);
     let turn = Statement::Does {
         subjects: bodies.to_vec(),
@@ -69,7 +72,7 @@ fn lying(
 }
 
 /// Whether a frame is said to be inertial: in another one the plane moves.
-fn is_inertial(frame: &Term, all: &[Declaration]) -> bool {
+pub(super) fn is_inertial(frame: &Term, all: &[Declaration]) -> bool {
     all.iter().any(|d| match &d.statement {
         Statement::Is { subjects, what } => {
             what.head == "frame" && what.is("inertial") && subjects.contains(frame)
@@ -90,7 +93,7 @@ fn is_flat(body: &Term, all: &[Declaration]) -> bool {
 }
 
 /// Whether a sentence says how a body turns, about what it is symmetric, or which frame is fixed in it.
-fn is_told_to_turn(body: &Term, all: &[Declaration]) -> bool {
+pub(super) fn is_told_to_turn(body: &Term, all: &[Declaration]) -> bool {
     let own = |term: &Term| name(term).is_some() && name(term) == name(body);
     all.iter().any(|d| match &d.statement {
         Statement::Is { subjects, what } => {

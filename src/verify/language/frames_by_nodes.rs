@@ -1,10 +1,12 @@
 //! Frames that are told by the angle of one axis with that of another frame, by the azimuth of it, and by the line of nodes.
 
+use super::flat_bodies::is_inertial;
 use super::heads::UNIT_VECTOR;
 use super::kinds::name;
 use super::planar_axes::axis;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::terms::leave_out;
 use super::turned_lines::{Direction, direction};
 use crate::notation::Macros;
 
@@ -52,11 +54,7 @@ pub(super) fn turn_by_nodes(declarations: &mut Vec<Declaration>, macros: &Macros
         .iter_mut()
         .for_each(|d| leave_free_turn(&mut d.statement, &leaning.tilted.frame));
     let used = [leaning.said, azimuth.said, node.said];
-    let mut at = 0;
-    declarations.retain(|_| {
-        at += 1;
-        !used.contains(&(at - 1))
-    });
+    leave_out(declarations, &used);
     declarations.extend(told.into_iter().map(|said| own.saying(said)));
 }
 
@@ -114,13 +112,6 @@ fn leave_free_turn(statement: &mut Statement, frame: &Term) {
     {
         *what = NounPhrase::new("frame", vec![]);
     }
-}
-
-fn is_inertial(frame: &Term, declarations: &[Declaration]) -> bool {
-    declarations.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => what.is("inertial") && subjects.contains(frame),
-        _ => false,
-    })
 }
 
 /// "The plane of k and w turns about k by the angle `$\phi$` from the plane of k and i", "`$\phi$` is the angle about k from the

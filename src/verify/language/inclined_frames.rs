@@ -5,6 +5,7 @@ use super::kinds::name;
 use super::planar_axes::{axes_of, axis};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::terms::leave_out;
 use crate::notation::Macros;
 
 /// An inclined frame, which of its axes stays level, which one the angle tells, and the letter of that.
@@ -31,11 +32,7 @@ pub(super) fn incline_frames(declarations: &mut Vec<Declaration>, macros: &Macro
         return;
     };
     put_level(&mut declarations[inclined.turn].statement, &inclined.frame);
-    let mut at = 0;
-    declarations.retain(|_| {
-        at += 1;
-        !inclined.used.contains(&(at - 1))
-    });
+    leave_out(declarations, &inclined.used);
     declarations.extend(told.into_iter().map(|said| own.saying(said)));
 }
 

@@ -4,7 +4,7 @@ use super::heads::PRINCIPAL_MOMENTS;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
-use crate::notation::ast::Kind;
+use crate::notation::ast::{Kind, Symbol};
 use crate::notation::document::Row;
 
 /// Nouns of which a list has one for each axis.
@@ -12,7 +12,7 @@ const OF_EACH_AXIS: [&str; 2] = ["component", PRINCIPAL_MOMENTS];
 
 /// Says of each such letter by itself that it is the component with its index, where sentences say that this numbers axes.
 pub(crate) fn part_indexed(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    let indices: Vec<String> = declarations.iter().flat_map(axis_indices).collect();
+    let indices = indices_of_axes(declarations);
     if indices.is_empty() {
         return;
     }
@@ -21,7 +21,8 @@ pub(crate) fn part_indexed(declarations: &mut Vec<Declaration>, macros: &Macros)
         let Statement::Is { subjects, what } = &declaration.statement else {
             continue;
         };
-        let own = |term: &Term| index_of(term).filter(|index| indices.contains(index));
+        let index = |term: &Term| letter_and_index(term).map(|(_, index)| index);
+        let own = |term: &Term| index(term).filter(|index| indices.contains(index));
         let (indexed, plain): (Vec<Term>, Vec<Term>) = subjects
             .iter()
             .cloned()
@@ -51,40 +52,34 @@ fn one_of(letter: Term, what: &NounPhrase, index: Formula) -> Statement {
     Statement::one_is(letter, what)
 }
 
-/// The letters that a sentence says to number axes.
-fn axis_indices(declaration: &Declaration) -> Vec<String> {
+/// The letters that sentences say to number axes.
+pub(crate) fn indices_of_axes(declarations: &[Declaration]) -> Vec<String> {
     let axes = |(_, term): &(Slot, Term)| matches!(term, Term::Phrase(p) if p.head == "axes");
-    let numbered = declaration.statement.does("number");
-    let numbered = numbered.filter(|(_, slots)| slots.iter().any(axes));
-    let letters = numbered.map_or(&[][..], |(subjects, _)| subjects);
-    let name = |term: &Term| match term {
-        Term::Formula(letter) => symbol_name(letter),
-        _ => None,
-    };
-    letters.iter().filter_map(name).collect()
+    let numbering = declarations
+        .iter()
+        .filter_map(|d| d.statement.does("number"));
+    let numbering = numbering.filter(|(_, slots)| slots.iter().any(axes));
+    let letters = numbering.flat_map(|(letters, _)| letters);
+    let name = |letter: &Term| symbol(letter).map(|symbol| symbol.name.clone());
+    letters.filter_map(name).collect()
 }
 
-fn symbol_name(letter: &Formula) -> Option<String> {
-    match &letter.row {
-        Row::Expression(node) => match &node.kind {
-            Kind::Symbol(symbol) => Some(symbol.name.clone()),
-            _ => None,
-        },
+/// The letter and the index of what is written by one with an index, and no other label: `$F_\alpha$`.
+pub(crate) fn letter_and_index(term: &Term) -> Option<(String, String)> {
+    let symbol = symbol(term).filter(|symbol| symbol.superscripts.is_empty())?;
+    match symbol.subscripts.as_slice() {
+        [index] => Some((symbol.name.clone(), index.clone())),
         _ => None,
     }
 }
 
-/// The index of a letter that has one and no other label.
-fn index_of(term: &Term) -> Option<String> {
+fn symbol(term: &Term) -> Option<&Symbol> {
     let Term::Formula(letter) = term else {
         return None;
     };
-    let Row::Expression(node) = &letter.row else {
-        return None;
-    };
-    match &node.kind {
-        Kind::Symbol(symbol) => match symbol.subscripts.as_slice() {
-            [index] => Some(index.clone()),
+    match &letter.row {
+        Row::Expression(node) => match &node.kind {
+            Kind::Symbol(symbol) => Some(symbol),
             _ => None,
         },
         _ => None,

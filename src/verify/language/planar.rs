@@ -13,6 +13,7 @@ use super::planar_axes::{ACROSS, TOWARDS, UPRIGHT, axis};
 use super::planar_lines::{Line, place_along, resolve};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::terms::leave_out;
 use crate::notation::Macros;
 
 /// Gives what moves in a vertical plane the turn by its angle.
@@ -67,11 +68,7 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
     {
         name_joint(declarations, point);
     }
-    let mut at = 0;
-    declarations.retain(|_| {
-        at += 1;
-        !used.contains(&(at - 1))
-    });
+    leave_out(declarations, &used);
     declarations.extend(told);
 }
 

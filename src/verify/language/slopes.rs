@@ -1,6 +1,7 @@
 //! Planes that slope while no sentence names axes: the first axis of the inertial frame points down along the plane, the third
 //! one stands on it, and what rolls there turns about the second one, forward where it rolls down.
 
+use super::flat_bodies::{is_told_to_turn, turning_about};
 use super::heads::{
     ANGULAR_MOMENTUM, ANGULAR_VELOCITY, CONTACT_FORCE, DOWNHILL, FORCE, FRICTION,
     MOMENT_OF_INERTIA, NORMAL, NORMAL_FORCE, UPHILL, WEIGHT,
@@ -179,38 +180,21 @@ fn rolling_on(plane: &Term, declarations: &[Declaration]) -> Vec<Term> {
         let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
         on.is_none_or(|on| on == plane).then_some(subjects)
     });
-    let turned = |body: &&Term| {
-        !declarations.iter().any(|d| match &d.statement {
-            Statement::Is { subjects, what } => {
-                let frame = what.head == "frame" && what.all(Slot::FixedIn).any(|of| of == *body);
-                frame || what.head == "symmetric" && subjects.contains(body)
-            }
-            statement => {
-                let turns = statement.does("turn");
-                turns.is_some_and(|(subjects, _)| subjects.contains(body))
-            }
-        })
-    };
-    let mut bodies: Vec<Term> = rolling.flatten().filter(turned).cloned().collect();
+    let untold = |body: &&Term| !is_told_to_turn(body, declarations);
+    let mut bodies: Vec<Term> = rolling.flatten().filter(untold).cloned().collect();
     bodies.dedup();
     bodies
 }
 
 /// That a body turns about the level axis of the plane, and, if it is no ball, is round about that.
 fn turn(body: &Term, ground: &Term, across: &Term, all: &[Declaration]) -> Vec<Statement> {
-    let about = (Slot::About, across.clone());
-    let turn = Statement::Does {
-        subjects: vec![body.clone()],
-        verb: "turn",
-        slots: vec![(Slot::RelativeTo, ground.clone()), about.clone()],
-    };
+    let one = std::slice::from_ref(body);
+    let [turn, symmetric] = turning_about(one, ground.clone(), across.clone());
     let ball = |d: &Declaration| match &d.statement {
         Statement::Is { subjects, what } => subjects.contains(body) && has(what.head, Trait::Ball),
         _ => false,
     };
     let named = name(body).is_some_and(|name| has(&name, Trait::Ball));
-    let symmetric = NounPhrase::new("symmetric", vec![about]);
-    let symmetric = Statement::one_is(body.clone(), symmetric);
     let round = (!named && !all.iter().any(ball)).then_some(symmetric);
     std::iter::once(turn).chain(round).collect()
 }
@@ -232,8 +216,7 @@ fn tell_senses(rolling: &[Term], across: &Term, declarations: &mut [Declaration]
         };
         let own = what.slot(Slot::Of).is_some_and(|of| rolling.contains(of));
         let told = [Slot::Along, Slot::About, Slot::On].map(|slot| what.slot(slot).is_some());
-        let number = |subject: &Term| matches!(subject, Term::Formula(f) if !is_marked_vector(f));
-        if !own || told.contains(&true) || !subjects.iter().all(number) {
+        if !own || told.contains(&true) || !subjects.iter().all(is_number) {
             continue;
         }
         match what.head {
@@ -245,6 +228,11 @@ fn tell_senses(rolling: &[Term], across: &Term, declarations: &mut [Declaration]
             _ => {}
         }
     }
+}
+
+/// Whether a term is a letter that is not written as one of a vector.
+fn is_number(term: &Term) -> bool {
+    matches!(term, Term::Formula(letter) if !is_marked_vector(letter))
 }
 
 /// That of letters nothing is understood: which way they count may be either.
@@ -277,7 +265,6 @@ fn tell_friction(plane: &Term, declarations: &mut [Declaration]) {
     if !by_itself {
         return;
     }
-    let number = |subject: &Term| matches!(subject, Term::Formula(f) if !is_marked_vector(f));
     let pointing: Vec<Term> = declarations
         .iter()
         .filter_map(|d| d.statement.does("point"))
@@ -287,7 +274,9 @@ fn tell_friction(plane: &Term, declarations: &mut [Declaration]) {
         if let Statement::Is { subjects, what } = &mut declaration.statement
             && what.head == FRICTION
             && what.slot(Slot::Along).is_none()
-            && subjects.iter().all(|s| number(s) && !pointing.contains(s))
+            && subjects
+                .iter()
+                .all(|s| is_number(s) && !pointing.contains(s))
         {
             let up = NounPhrase::new(UPHILL, vec![(Slot::Of, plane.clone())]);
             what.slots.push((Slot::Along, Term::Phrase(Box::new(up))));

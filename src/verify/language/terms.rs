@@ -260,3 +260,9 @@ impl Formula {
         }
     }
 }
+
+/// Takes out the sentences at some places.
+pub(super) fn leave_out(declarations: &mut Vec<Declaration>, places: &[usize]) {
+    let mut at = 0..;
+    declarations.retain(|_| at.next().is_some_and(|at| !places.contains(&at)));
+}

@@ -2,6 +2,7 @@
 
 use super::heads::{ANGULAR_MOMENTUM, MOMENTUM};
 use super::statement::{Declaration, Slot, Statement, Term};
+use super::terms::leave_out;
 
 /// What a body has that may be any vector as long as nothing is said of the body.
 const ANY_VECTOR: [&str; 2] = [MOMENTUM, ANGULAR_MOMENTUM];
@@ -10,8 +11,8 @@ const ANY_VECTOR: [&str; 2] = [MOMENTUM, ANGULAR_MOMENTUM];
 /// rotor: any vector may be that, and the sentence says nothing more of h.
 pub(crate) fn leave_unknown_bodies(declarations: &mut Vec<Declaration>) {
     let said = 0..declarations.len();
-    let mut idle: Vec<bool> = said.map(|at| says_nothing(at, declarations)).collect();
-    declarations.retain(|_| !idle.remove(0));
+    let idle: Vec<usize> = said.filter(|at| says_nothing(*at, declarations)).collect();
+    leave_out(declarations, &idle);
 }
 
 fn says_nothing(at: usize, declarations: &[Declaration]) -> bool {

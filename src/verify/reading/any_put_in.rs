@@ -3,6 +3,7 @@
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::print;
+use crate::verify::language::indexed_lists::letter_and_index;
 use crate::verify::language::statement::{Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::names::node_of;
 
@@ -19,7 +20,7 @@ pub(super) fn with_things(
     let told = |slots: &[(Slot, Term)]| -> Option<Vec<(Slot, Term)>> {
         // Vectors and angles stay what they are: "for any frame X and any vector `$v$`".
         let letter = |term: &Term| {
-            let index = indexed(term).map(|(_, index)| index);
+            let index = letter_and_index(term).map(|(_, index)| index);
             matches!(term, Term::Formula(_)) && index.is_none_or(|index| !any.contains(&index))
         };
         let others = slots
@@ -88,22 +89,6 @@ fn with_names(term: &Term, pairs: &[(&str, &Term)]) -> Option<Term> {
         }
         other => other.clone(),
     })
-}
-
-/// The letter and the index of a name such as `$F_\\alpha$`.
-pub(super) fn indexed(term: &Term) -> Option<(String, String)> {
-    let Term::Formula(formula) = term else {
-        return None;
-    };
-    match &node_of(formula)?.kind {
-        Kind::Symbol(symbol) if symbol.superscripts.is_empty() => {
-            let [index] = symbol.subscripts.as_slice() else {
-                return None;
-            };
-            Some((symbol.name.clone(), index.clone()))
-        }
-        _ => None,
-    }
 }
 
 /// A thing as it stands in a label.

@@ -2,11 +2,11 @@
 
 use crate::notation::ast::Kind;
 use crate::notation::{Macros, read_formula};
+use crate::verify::language::indexed_lists::{indices_of_axes, letter_and_index};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::reading::any_put_in::{indexed, with_things};
+use crate::verify::reading::any_put_in::with_things;
 use crate::verify::reading::label_read::named_by_labels;
-use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, index_letter, letter_of, node_of};
+use crate::verify::reading::names::{EULER_ANGLES, MASS_CENTRE, letter_of, node_of};
 use crate::verify::reading::numbered_axes::with_numbered_axes;
 use crate::verify::term::written::WrittenSymbols;
 
@@ -33,7 +33,7 @@ pub(crate) fn instances(
         matches!(what.head, "point" | MASS_CENTRE | "particle")
     });
     let angles = angles(declarations);
-    let axes = axis_indices(declarations);
+    let axes = indices_of_axes(declarations);
     let each = declarations.iter().flat_map(|declaration| {
         if let Some(made) = of_each_axis(declaration, &axes) {
             return made;
@@ -95,24 +95,6 @@ fn calligraphic(term: &Term) -> Option<String> {
         Kind::Symbol(symbol) if symbol.style.calligraphic => Some(symbol.name.clone()),
         _ => None,
     }
-}
-
-/// The letters that sentences say to number axes.
-fn axis_indices(declarations: &[Declaration]) -> Vec<String> {
-    let numbers = |declaration: &Declaration| match &declaration.statement {
-        Statement::Does {
-            subjects,
-            verb: "number",
-            slots,
-        } => {
-            let axes =
-                |(_, term): &(Slot, Term)| matches!(term, Term::Phrase(p) if p.head == "axes");
-            let letters = formulas(subjects).map(index_letter);
-            slots.iter().any(axes).then(|| letters.collect::<Vec<_>>())
-        }
-        _ => None,
-    };
-    declarations.iter().filter_map(numbers).flatten().collect()
 }
 
 /// "`$I_i$` is the moment of inertia about the axis along `$e_i$`", where `$i$` numbers axes: one sentence for each axis.
@@ -264,10 +246,11 @@ pub(super) fn any_things(statement: &Statement) -> Option<Vec<String>> {
 fn any_by_index(statement: &Statement, frames: &[Term]) -> Option<(Vec<String>, Vec<Vec<Term>>)> {
     let any = statement.slots().flatten();
     let any = any.filter(|(slot, _)| *slot == Slot::ForAny);
-    let named: Option<Vec<(String, String)>> = any.map(|(_, term)| indexed(term)).collect();
+    let named: Option<Vec<(String, String)>> =
+        any.map(|(_, term)| letter_and_index(term)).collect();
     let named = named.filter(|named| !named.is_empty() && named.len() <= 3)?;
     let own = |(letter, _): &(String, String)| -> Vec<Term> {
-        let same = frames.iter().filter_map(indexed);
+        let same = frames.iter().filter_map(letter_and_index);
         let same = same.filter(|(other, _)| other == letter);
         same.map(|(_, index)| Term::Name(index)).collect()
     };
