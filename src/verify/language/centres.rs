@@ -1,10 +1,16 @@
 //! Centres of shapes that are their mass centres, and sentences by which they may not be.
 
-use super::heads::{MASS_CENTRE, UNBALANCED};
+use super::heads::{DENSITY, MASS_CENTRE, UNBALANCED};
 use super::kinds::name;
-use super::statement::{Declaration, NounPhrase, Slot, Statement};
-use super::traits::{Trait::OneSided, has};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::traits::{
+    Trait::{OneSided, Shape},
+    has,
+};
 use std::collections::BTreeSet;
+
+/// Words for the place in the middle of a shape.
+pub(crate) const MIDDLES: [&str; 2] = ["centre", "middle"];
 
 /// Words of where the mass of a body is.
 const OFF_CENTRE: [&str; 7] = [
@@ -40,9 +46,57 @@ fn names_with(
     declarations.iter().flat_map(named).collect()
 }
 
-/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod.
+/// The names that sentences give to a place of each thing.
+fn places_named(declarations: &[Declaration], place: &[&str]) -> BTreeSet<(String, String)> {
+    let named = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if place.contains(&what.head) => {
+            let of = what.slot(Slot::Of).and_then(name);
+            let names = subjects.iter().filter_map(name);
+            of.map_or(vec![], |of| names.map(|name| (of.clone(), name)).collect())
+        }
+        _ => vec![],
+    };
+    declarations.iter().flat_map(named).collect()
+}
+
+/// The things whose middle and whose mass centre have names of their own: their mass is not spread evenly.
+fn off_centre(declarations: &[Declaration]) -> BTreeSet<String> {
+    let centres = places_named(declarations, &[MASS_CENTRE]);
+    let middles = places_named(declarations, &MIDDLES);
+    let has_another = |(of, middle): &(String, String)| {
+        let same = centres.contains(&(of.clone(), middle.clone()));
+        (!same && centres.iter().any(|(thing, _)| thing == of)).then(|| of.clone())
+    };
+    middles.iter().filter_map(has_another).collect()
+}
+
+/// The things of whose density a sentence speaks: it need not be the same everywhere.
+fn with_density(declarations: &[Declaration]) -> BTreeSet<String> {
+    let of = |term: &Term| match term {
+        Term::Phrase(what) if what.head == DENSITY => what.slot(Slot::Of).and_then(name),
+        _ => None,
+    };
+    let told = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let mut told: Vec<String> = subjects.iter().filter_map(of).collect();
+            if what.head == DENSITY {
+                told.extend(what.slot(Slot::Of).and_then(name));
+            }
+            told
+        }
+        Statement::Does { subjects, .. } => subjects.iter().filter_map(of).collect(),
+        _ => vec![],
+    };
+    declarations.iter().flat_map(told).collect()
+}
+
+/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod; a shape is uniform where no
+/// sentence says otherwise.
 pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
-    let mut uniform = names_with(declarations, |what| what.is("uniform"));
+    let mut uniform = names_with(declarations, |what| has(what.head, Shape));
+    let otherwise = [off_centre(declarations), with_density(declarations)];
+    uniform.retain(|thing| !otherwise.iter().any(|others| others.contains(thing)));
+    uniform.extend(names_with(declarations, |what| what.is("uniform")));
     // Their centre is the middle of a face or of what they are cut from.
     let one_sided = names_with(declarations, |what| has(what.head, OneSided));
     let unbalanced = names_with(declarations, |what| what.head == UNBALANCED);
@@ -50,7 +104,7 @@ pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
     uniform.retain(|thing| !unbalanced.contains(thing));
     for declaration in declarations {
         if let Statement::Is { what, .. } = &mut declaration.statement
-            && matches!(what.head, "centre" | "middle")
+            && MIDDLES.contains(&what.head)
             && let Some(of) = what.slot(Slot::Of).and_then(name)
             && uniform.contains(&of)
         {

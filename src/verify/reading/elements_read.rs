@@ -1,7 +1,7 @@
 //! Elements of a body, over which integrals run: what is said of "an element of the body", of its volume, and of a point or
 //! a position that runs through the body, is said of one member of the family of elements.
 
-use crate::verify::language::heads::{MASS, POSITION, RUN_OVER};
+use crate::verify::language::heads::{DENSITY, MASS, POSITION, RUN_OVER};
 use crate::verify::language::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::system::ELEMENT;
 use crate::verify::reading::any_read::instances;
@@ -14,7 +14,6 @@ use crate::verify::term::written::WrittenSymbols;
 use std::collections::BTreeSet;
 
 /// The noun of mass by volume.
-pub(super) const DENSITY: &str = "density";
 
 /// How deep phrases stand in each other.
 const DEEPEST: usize = 8;

@@ -1,11 +1,11 @@
 //! How the mass of a body is spread, where a sentence says that it is not spread evenly over its shape.
 
-use crate::verify::language::heads::MASS;
+use crate::verify::language::centres::MIDDLES;
+use crate::verify::language::heads::{DENSITY, MASS, MASS_CENTRE};
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::language::traits::{Trait, has};
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::elements_read::DENSITY;
 
 /// What is said of a shape whose mass does not fill it.
 pub(super) const HOLLOW: &str = "hollow";
@@ -62,6 +62,9 @@ impl Builder<'_> {
                 .map_or(self.only_body() == Some(body), own),
             _ => false,
         };
+        if self.has_mass_off_its_middle(body) {
+            return true;
+        }
         self.declarations.iter().any(|d| match &d.statement {
             Statement::Is { subjects, what } => {
                 let hollow = what.head == HOLLOW && what.adjectives.is_empty();
@@ -73,5 +76,20 @@ impl Builder<'_> {
             }
             _ => false,
         })
+    }
+
+    /// Whether sentences name the middle of a body and its mass centre apart, and none says that it is uniform.
+    fn has_mass_off_its_middle(&self, body: BodyId) -> bool {
+        let named = |heads: &[&str]| {
+            self.declarations.iter().any(|d| match &d.statement {
+                Statement::Is { what, .. } if heads.contains(&what.head) => {
+                    let of = what.slot(Slot::Of);
+                    of.is_some_and(|of| self.body(of) == Some(body))
+                }
+                _ => false,
+            })
+        };
+        let one_sided = self.is_shaped(body, |noun| has(noun, Trait::OneSided));
+        !one_sided && named(&MIDDLES) && named(&[MASS_CENTRE])
     }
 }

@@ -1,8 +1,8 @@
 //! From a noun with its slots to a quantity of the model.
 
 use crate::verify::language::heads::{
-    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, ENERGY_OF_ROTATION, ENERGY_OF_TRANSLATION, FORCE,
-    FRICTION, IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT,
+    ANGULAR_MOMENTUM, CONJUGATE, CONTACT_FORCE, DENSITY, ENERGY_OF_ROTATION, ENERGY_OF_TRANSLATION,
+    FORCE, FRICTION, IDENTITY_MATRIX, JACOBIAN, KINETIC_ENERGY, MASS, MASS_MATRIX, MOMENT,
     MOMENT_OF_INERTIA, NORMAL_FORCE, PURE_QUATERNION, ROTATION_MATRIX, SCALAR_PART, SECOND_RATE,
     SPECIFIC_FORCE, TRAVEL, TURNED_VECTOR, VECTOR_PART,
 };
@@ -12,7 +12,6 @@ use crate::verify::model::bodies::Velocities;
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::densities_read::is_per_unit;
-use crate::verify::reading::elements_read::DENSITY;
 use crate::verify::reading::load_quantities_read::{inertial, with_slots_of_moment};
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{
