@@ -7,6 +7,7 @@ use crate::notation::lexer::tokens;
 use crate::notation::parse;
 use crate::notation::token::{Letters, Lexeme, Token};
 use crate::notation::triads::Triads;
+use crate::notation::unicode;
 use crate::notation::{items, refused};
 use crate::source::Span;
 use look::{RELATIONS, entry, is_formula, is_mathematical, labelled, marker, runs};
@@ -16,6 +17,7 @@ pub(crate) fn read(text: &str, offset: usize, decimal_comma: bool, triads: Triad
     let written = text;
     let text = &*without_bold(text);
     let text = &*without_ticks(text);
+    let text = &*without_wide_stops(text);
     let mut reader = Reader {
         text,
         written,
@@ -63,6 +65,27 @@ fn without_ticks(text: &str) -> std::borrow::Cow<'_, str> {
         match paired && !line.contains("``") {
             true => out.push_str(&line.replace('`', " ")),
             false => out.push_str(line),
+        }
+    }
+    out.into()
+}
+
+/// The text with the stops and brackets of Chinese and Japanese as those of ASCII, each with blanks beside it that keep all
+/// places: `L = I ω。`.
+fn without_wide_stops(text: &str) -> std::borrow::Cow<'_, str> {
+    if !text.contains(|c| unicode::plain_stop(c).is_some()) {
+        return text.into();
+    }
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        let blanks = " ".repeat(c.len_utf8() - 1);
+        match unicode::plain_stop(c) {
+            Some('(') => out.extend([blanks.as_str(), "("]),
+            Some(stop) => {
+                out.push(stop);
+                out.push_str(&blanks);
+            }
+            None => out.push(c),
         }
     }
     out.into()

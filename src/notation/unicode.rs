@@ -157,6 +157,24 @@ pub(crate) fn deceptive(c: char) -> bool {
 /// The byte with which every such mark but NUL begins.
 pub(crate) const FIRST_BYTE_OF_A_MARK: u8 = 0xe2;
 
+/// A stop or a bracket of Chinese and Japanese as that of ASCII.
+pub(crate) fn plain_stop(c: char) -> Option<char> {
+    Some(match c {
+        '，' | '、' => ',',
+        '。' => '.',
+        '：' => ':',
+        '；' => ';',
+        '（' => '(',
+        '）' => ')',
+        _ => return None,
+    })
+}
+
+/// Whether a character is a whole word of Chinese or Japanese, or a part of one.
+pub(crate) fn is_ideograph(c: char) -> bool {
+    matches!(c, '\u{3040}'..='\u{30ff}' | '\u{3400}'..='\u{4dbf}' | '\u{4e00}'..='\u{9fff}')
+}
+
 /// What a character outside ASCII is in LaTeX.
 pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
     use Lexeme::{Char, Command, Letter};
@@ -165,6 +183,7 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
         'a'..='z' | 'A'..='Z' => Letter(c),
         'α'..='ω' | 'Α'..='Ω' | 'ϕ' | 'ϑ' | 'ϵ' | 'ϖ' | 'ϱ' => Command(greek(c)?),
         '\u{2126}' => Command("Omega"),
+        '，' | '、' | '。' | '：' | '；' | '（' | '）' => Char(plain_stop(c)?),
         '×' | '✕' | '⨯' | '⨉' => Command("times"),
         '·' | '⋅' | '∙' | '•' => Command("cdot"),
         '−' | '–' => Char('-'),

@@ -40,7 +40,8 @@ fn is_end_mark(word: &str) -> bool {
 
 fn look(word: &str) -> Look {
     let core = word.trim_matches(['.', ',', ';', ':']);
-    if ARROWS.contains(&core) || is_end_mark(core) {
+    let foreign = core.contains(unicode::is_ideograph);
+    if foreign || ARROWS.contains(&core) || is_end_mark(core) {
         return Look::Words;
     }
     let strong = core.chars().any(|c| {

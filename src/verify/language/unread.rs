@@ -56,6 +56,44 @@ pub(super) const CONDITIONS: [&str; 12] = [
     "initially",
 ];
 
+/// Words by which a sentence may say how all formulas are read.
+const OF_CONVENTIONS: [&str; 34] = [
+    "vector",
+    "vectors",
+    "tensor",
+    "tensors",
+    "matrix",
+    "matrices",
+    "column",
+    "columns",
+    "row",
+    "rows",
+    "entry",
+    "entries",
+    "component",
+    "basis",
+    "rate",
+    "rates",
+    "derivative",
+    "derivatives",
+    "differentiated",
+    "product",
+    "products",
+    "resolved",
+    "expressed",
+    "seen",
+    "taken",
+    "order",
+    "convention",
+    "conventions",
+    "equation",
+    "equations",
+    "formula",
+    "formulas",
+    "line",
+    "lines",
+];
+
 /// The signs that a sentence speaks of, and whether it may be a rule beside them.
 #[derive(Default)]
 struct Signs {
@@ -126,6 +164,8 @@ impl Reader<'_> {
         let whole = !signs.other_rule && !of_a_part;
         let tells = things && !rule_behind && !self.unsays() && self.says_what_is_known();
         let adds = moving || tells && !of_a_part;
+        let adds =
+            adds || things && !rule_behind && !of_a_part && self.leaves_formulas_as_they_are();
         // What it says of a thing may take back what is assumed of all things: "it is a left-handed frame", "it has a hole".
         if adds && signs.found.is_empty() {
             let anew = false;
@@ -151,6 +191,20 @@ impl Reader<'_> {
         } else {
             Touched::Everything
         }
+    }
+
+    /// Whether no word of it is one of how formulas are read, or takes back what is assumed of things: without it less is
+    /// known, and what is known means the same.
+    fn leaves_formulas_as_they_are(&mut self) -> bool {
+        let start = self.at;
+        let mut rules = self.takes_back() || self.unsays();
+        while !rules && !self.done() {
+            let word = self.word();
+            rules = may_be_rule(word) || OF_CONVENTIONS.contains(&word) || self.at_rule(false);
+            self.at += 1;
+        }
+        self.at = start;
+        !rules
     }
 
     /// The formulas that a sentence is about; none if it is about something else as well.

@@ -1,6 +1,6 @@
 //! The signs of which a rule speaks that is not understood: what does not carry one is not changed by it.
 
-use super::reader::Reader;
+use super::reader::{ARTICLES, Reader};
 use super::words::{Kind, Token};
 
 /// Verbs of a rule.
@@ -13,6 +13,39 @@ const MEANS: [&str; 8] = [
     "stand",
     "signifies",
     "indicates",
+];
+
+/// Verbs of a rule, where the sign stands at something that is written.
+const TELLS: [&str; 8] = [
+    "is", "are", "holds", "hold", "marks", "mark", "shows", "says",
+];
+
+/// Where a sign stands.
+const STANDS: [&str; 12] = [
+    "over", "under", "above", "below", "on", "at", "behind", "before", "beside", "around", "about",
+    "between",
+];
+
+/// What is written.
+const WRITTEN: [&str; 18] = [
+    "letter",
+    "letters",
+    "symbol",
+    "symbols",
+    "formula",
+    "formulas",
+    "vector",
+    "vectors",
+    "matrix",
+    "matrices",
+    "term",
+    "terms",
+    "factor",
+    "factors",
+    "quantity",
+    "quantities",
+    "expression",
+    "expressions",
 ];
 
 /// Words behind which what lacks a sign has a meaning, too.
@@ -30,10 +63,16 @@ const BESIDES: [&str; 10] = [
 ];
 
 /// How signs are called, and how they are written.
-const SIGNS: [(&[&str], &[&str]); 18] = [
+const SIGNS: [(&[&str], &[&str]); 19] = [
+    (
+        &["label", "labels"],
+        &[
+            "_", "^", "₀", "₁", "₂", "₃", "₄", "ₓ", "ᵢ", "ⱼ", "⁰", "¹", "²", "³",
+        ],
+    ),
     (
         &["brace", "braces", "curly"],
-        &["\\{", "cases", "lbrace", "rbrace", "\\left."],
+        &["\\{", "cases", "brace", "\\left.", "⏟", "⏞"],
     ),
     (
         &["bracket", "brackets"],
@@ -91,7 +130,14 @@ impl Reader<'_> {
     pub(super) fn written_signs(&self) -> Option<Vec<String>> {
         let rest = self.tokens.get(self.at..).unwrap_or_default();
         let is = |t: &Token, list: &[&str]| list.contains(&t.lower.as_str());
-        let verb = rest.iter().position(|t| is(t, &MEANS))?;
+        let tells = |at: &usize| {
+            let stands = |pair: &[Token]| is(&pair[0], &STANDS) && is(&pair[1], &WRITTEN);
+            let plain: Vec<Token> = rest[..*at].to_vec();
+            let plain: Vec<Token> = plain.into_iter().filter(|t| !is(t, &ARTICLES)).collect();
+            is(&rest[*at], &TELLS) && plain.windows(2).any(stands)
+        };
+        let means = rest.iter().position(|t| is(t, &MEANS));
+        let verb = means.or_else(|| (0..rest.len()).find(tells))?;
         let subject = &rest[..verb];
         let begins_with_word = subject.first().is_some_and(|t| t.kind == Kind::Word);
         if !begins_with_word || rest.iter().any(|t| is(t, &BESIDES)) {

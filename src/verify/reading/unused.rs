@@ -11,6 +11,7 @@ use crate::verify::reading::names::{letter_of, node_of, nodes_of};
 use crate::verify::reading::operators_read::rate_in_time;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
 use std::collections::{BTreeMap, BTreeSet};
+use std::mem::discriminant;
 use std::sync::Arc;
 
 /// Letters that mean what they do by custom, where no sentence says otherwise.
@@ -291,10 +292,50 @@ pub(super) fn carries(node: &Node, sign: &Sign) -> bool {
         Sign::Operator(operator) if is_unread(operator) => false,
         Sign::Operator(operator) => match (style_of_rate(operator), &node.kind) {
             (Some(written), Kind::TimeDerivative { style, .. }) => *style == written,
-            (written, _) => written.is_none(),
+            (Some(_), _) => false,
+            (None, _) => node_of(operator).is_none_or(|operator| may_be_written_as(node, operator)),
         },
     };
     own || node.children().any(|child| carries(child, sign))
+}
+
+/// Whether a formula may carry the sign of an operator that is no rate, at its head: brackets are read in several ways, and so is what
+/// stands raised or side by side.
+fn may_be_written_as(node: &Node, operator: &Node) -> bool {
+    if let Kind::Call(name, _) = &operator.kind
+        && let Kind::Symbol(name) = &name.kind
+    {
+        return names_one(node, &BTreeSet::from([name.name.clone()]));
+    }
+    let (own, its) = (ways_written(node), ways_written(operator));
+    own.iter().any(|way| its.contains(way))
+        || discriminant(&node.kind) == discriminant(&operator.kind)
+}
+
+/// How a formula is written at its head.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    Brackets,
+    SideBySide,
+    Raised,
+    Quotient,
+}
+
+fn ways_written(node: &Node) -> &'static [Way] {
+    match &node.kind {
+        Kind::Call(..) | Kind::Group(..) => &[Way::Brackets, Way::SideBySide],
+        Kind::Tuple(_) | Kind::Matrix(_) | Kind::Determinant(_) | Kind::Norm(_) => &[Way::Brackets],
+        Kind::Skew(_) | Kind::InFrame(..) => &[Way::Brackets, Way::Raised],
+        Kind::Product(_) | Kind::Function(..) => &[Way::SideBySide],
+        Kind::Power(..) | Kind::Transpose(_) => &[Way::Raised],
+        Kind::Symbol(symbol) if !symbol.superscripts.is_empty() || symbol.primes > 0 => {
+            &[Way::Raised]
+        }
+        Kind::Quotient(..) | Kind::TimeDerivative { .. } | Kind::Derivative { .. } => {
+            &[Way::Quotient]
+        }
+        _ => &[],
+    }
 }
 
 fn is_unread(formula: &Formula) -> bool {
