@@ -88,6 +88,7 @@ mod members;
 pub(crate) mod messages;
 mod mounted;
 mod named_members;
+mod named_places;
 mod numbered_frames;
 mod on_lines;
 mod on_rings;

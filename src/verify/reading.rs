@@ -118,6 +118,7 @@ pub(crate) mod unused_read;
 mod values_told;
 pub(crate) mod vectors_read;
 mod wants;
+mod ways_written;
 mod wheel_rims;
 pub(crate) mod wheels_read;
 pub(crate) mod wholes;

@@ -5,6 +5,7 @@ use super::frames_by_adjective::name_frames;
 use super::heads::{UNIT_VECTOR, VERTICAL};
 use super::is_body;
 use super::kinds::{name, rename};
+use super::named_places::{PLACES, names_place_again};
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 use std::collections::{BTreeMap, BTreeSet};
@@ -253,7 +254,8 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
         let terms = statement.terms_mut().into_iter();
         terms.flat_map(|term| named_things(term, listed)).collect()
     });
-    let told = declarations.split_off(before);
+    let mut told = declarations.split_off(before);
+    told.retain(|new| !names_place_again(&new.statement, declarations));
     // "the inner gimbal" is the one that has got a name.
     for (noun, called) in names_of_bodies(&told) {
         for term in declarations
@@ -389,7 +391,8 @@ fn named_things(term: &mut Term, listed: bool) -> Vec<Statement> {
         alone && !listed && is_point(phrase.head) && called.iter().all(|called| is_proper(called));
     let point = alone && phrase.head == "point" && phrase.is("fixed");
     let body = is_body(phrase.head) && !is_point(phrase.head);
-    let thing = phrase.head == "frame" || body || particle || point;
+    let place = PLACES.contains(&phrase.head);
+    let thing = phrase.head == "frame" || body || particle || point || place;
     if let (true, [called @ Term::Name(_)]) = (thing, called.as_slice()) {
         let called = (*called).clone();
         phrase.slots.retain(|(slot, _)| *slot != Slot::Which);

@@ -9,9 +9,9 @@ use crate::verify::language::wants::Wants;
 use crate::verify::reading::Reading;
 use crate::verify::reading::names::{letter_of, node_of, nodes_of};
 use crate::verify::reading::operators_read::rate_in_time;
+use crate::verify::reading::ways_written::may_be_written_as;
 use crate::verify::term::letters::{At, Letters, Mark, Reach, letter_names, spelled};
 use std::collections::{BTreeMap, BTreeSet};
-use std::mem::discriminant;
 use std::sync::Arc;
 
 /// Letters that mean what they do by custom, where no sentence says otherwise.
@@ -255,7 +255,7 @@ fn has_untold(written: Written<'_>, wholes: &[String], letters: &Letters) -> boo
 }
 
 /// Whether a formula has one of some names, as a letter or in a label.
-fn names_one(node: &Node, names: &BTreeSet<String>) -> bool {
+pub(super) fn names_one(node: &Node, names: &BTreeSet<String>) -> bool {
     let in_label = |label: &str| names.iter().any(|name| label.contains(name.as_str()));
     let own = match &node.kind {
         Kind::Symbol(symbol) => names.contains(&symbol.name) || scripts(symbol).any(in_label),
@@ -297,45 +297,6 @@ pub(super) fn carries(node: &Node, sign: &Sign) -> bool {
         },
     };
     own || node.children().any(|child| carries(child, sign))
-}
-
-/// Whether a formula may carry the sign of an operator that is no rate, at its head: brackets are read in several ways, and so is what
-/// stands raised or side by side.
-fn may_be_written_as(node: &Node, operator: &Node) -> bool {
-    if let Kind::Call(name, _) = &operator.kind
-        && let Kind::Symbol(name) = &name.kind
-    {
-        return names_one(node, &BTreeSet::from([name.name.clone()]));
-    }
-    let (own, its) = (ways_written(node), ways_written(operator));
-    own.iter().any(|way| its.contains(way))
-        || discriminant(&node.kind) == discriminant(&operator.kind)
-}
-
-/// How a formula is written at its head.
-#[derive(Clone, Copy, PartialEq)]
-enum Way {
-    Brackets,
-    SideBySide,
-    Raised,
-    Quotient,
-}
-
-fn ways_written(node: &Node) -> &'static [Way] {
-    match &node.kind {
-        Kind::Call(..) | Kind::Group(..) => &[Way::Brackets, Way::SideBySide],
-        Kind::Tuple(_) | Kind::Matrix(_) | Kind::Determinant(_) | Kind::Norm(_) => &[Way::Brackets],
-        Kind::Skew(_) | Kind::InFrame(..) => &[Way::Brackets, Way::Raised],
-        Kind::Product(_) | Kind::Function(..) => &[Way::SideBySide],
-        Kind::Power(..) | Kind::Transpose(_) => &[Way::Raised],
-        Kind::Symbol(symbol) if !symbol.superscripts.is_empty() || symbol.primes > 0 => {
-            &[Way::Raised]
-        }
-        Kind::Quotient(..) | Kind::TimeDerivative { .. } | Kind::Derivative { .. } => {
-            &[Way::Quotient]
-        }
-        _ => &[],
-    }
 }
 
 fn is_unread(formula: &Formula) -> bool {

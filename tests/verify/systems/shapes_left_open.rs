@@ -280,3 +280,22 @@ $$m=\rho\pi r^2 l$$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn a_shape_is_uniform_where_its_middle_and_its_mass_centre_are_one() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the wheel.
+The wheel is a disc of mass $m$ and radius $R$.
+The wheel is symmetric about the third axis of B.
+C is the centre of the wheel.
+$I$ is the moment of inertia of the wheel about the axis through C along the third axis of B.
+";
+    let text = r"
+$$ I = \tfrac12 m R^2 $$
+$$ I = m R^2 $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+    let apart = format!("{sentences}G is the mass centre of the wheel.\n");
+    let (found, _) = super::verdicts(&apart, text);
+    assert_eq!(found, "uu");
+}

@@ -368,3 +368,47 @@ $w$ is any vector.
         "uuuu"
     );
 }
+
+#[test]
+fn a_rule_for_a_sign_keeps_open_what_carries_it() {
+    let sentences = r"N is an inertial frame.
+B is a frame.
+B turns freely relative to N.
+$\mathbf{w}$ is the angular velocity of B relative to N.
+$\mathbf{u}$ is a vector fixed in B.
+$\mathbf{d}$ is the rate of $\mathbf{u}$ seen from N.
+";
+    let text = r"
+$$ \mathbf{d} = \mathbf{w}\times\mathbf{u} $$
+$$ \mathbf{d} = \overbrace{\mathbf{w}\times\mathbf{u}} $$
+$$ 2^{n}\mathbf{d} = 2^{n}\mathbf{w}\times\mathbf{u} $$
+";
+    let with = |rule: &str| verdicts(&format!("{sentences}{rule}\n"), text).0;
+    assert_eq!(&with("")[..1], "p");
+    assert_eq!(&with("A brace over a letter snorkels its value.")[..1], "p");
+    assert_eq!(&with("A brace over a letter holds its value.")[..2], "pu");
+    let raised = with("`2^{n}` is the flurbel of `n`.");
+    assert_eq!((&raised[..1], &raised[2..3]), ("p", "u"));
+    assert_eq!(
+        &with("`\\mathbf{a}\\times b` is the flurbel of `b`.")[..1],
+        "u"
+    );
+}
+
+#[test]
+fn what_a_thing_undergoes_changes_no_formula() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the rotor.
+B turns relative to N about z by the angle $q$.
+$w$ is the component along z of the angular velocity of B relative to N.
+";
+    let with = |rule: &str| verdicts(&format!("{sentences}{rule}\n"), "$$ w = \\dot q $$\n").0;
+    assert_eq!(with("The rotor is snorkelled by its bearings alone."), "p");
+    for rule in [
+        "The rotor is snorkelled by vectors with components on N.",
+        "The rotor is snorkelled with its sign reversed.",
+        "All rates are snorkelled.",
+    ] {
+        assert_eq!(with(rule), "u", "{rule}");
+    }
+}
