@@ -89,10 +89,6 @@ impl Prover<'_> {
     fn goal(&mut self, left: &Fraction, right: &Fraction) -> Option<()> {
         let (left, right) = (ratio(left), ratio(right));
         let target = crate::algebra::difference(&left, &right);
-        if let Some(by) = self.by_one_premise(&target) {
-            self.argument.goals.push(Goal { left, right, by });
-            return Some(());
-        }
         let mut reduced = self.reduce(target, usize::MAX)?;
         self.drop_small(&mut reduced);
         if !reduced.value.is_zero() {
@@ -104,19 +100,6 @@ impl Prover<'_> {
         };
         self.argument.goals.push(Goal { left, right, by });
         Some(())
-    }
-
-    /// A goal that is a multiple of one premise follows from this as it is put in, however much the solved forms grow.
-    fn by_one_premise(&mut self, target: &Polynomial) -> Option<Combination> {
-        let rules = self.facts.rules.values().filter(|rule| !rule.at_instant);
-        let (rule, quotient) = rules
-            .filter(|rule| rule.equation.len() > 1)
-            .find_map(|rule| Some((rule.clone(), target.exact_quotient(&rule.equation)?)))?;
-        let fact = self.push(rule.equation, Reason::Premise(rule.source.text()));
-        Some(Combination {
-            multiplier: Polynomial::one(),
-            cofactors: vec![(fact, quotient)],
-        })
     }
 
     /// Reduces by everything that was told before a time, one variable after the other.

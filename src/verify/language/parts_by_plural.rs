@@ -15,6 +15,7 @@ pub(crate) fn tell_parts_by_plural(declarations: &mut Vec<Declaration>) {
     act_where_said(declarations);
     for parts in listed_parts(declarations) {
         for declaration in declarations.iter_mut() {
+            parts.part_list_of_loads(&mut declaration.statement);
             for term in declaration.statement.terms_mut() {
                 parts.leave_owner_of_loads(term);
             }
@@ -23,18 +24,10 @@ pub(crate) fn tell_parts_by_plural(declarations: &mut Vec<Declaration>) {
             .iter()
             .map(|d| parts.told_plainly(&d.statement, declarations))
             .collect();
-        let mut at = 0;
-        for told in told {
-            match told {
-                // A letter of no other use needs no sentence.
-                Some(Statement::Is { subjects, .. }) if subjects.is_empty() => {
-                    declarations.remove(at);
-                    continue;
-                }
-                Some(statement) => declarations[at].statement = statement,
-                None => {}
+        for (declaration, told) in declarations.iter_mut().zip(told) {
+            if let Some(statement) = told {
+                declaration.statement = statement;
             }
-            at += 1;
         }
     }
 }
@@ -108,6 +101,29 @@ fn plurals_in(statement: &Statement) -> Vec<String> {
 }
 
 impl Parts {
+    /// "the thrusts of the motors and the moment `$M$`" are two loads of a list, and not the thrusts of both.
+    fn part_list_of_loads(&self, statement: &mut Statement) {
+        let Statement::Premise(premise) = statement else {
+            return;
+        };
+        let mut besides = vec![];
+        for (_, term) in premise.slots.iter_mut().filter(|(s, _)| *s == Slot::With) {
+            let Term::Phrase(load) = term else { continue };
+            let [(_, Term::Name(first)), ..] = load.slots.as_slice() else {
+                continue;
+            };
+            if is_force(load.head) && *first == self.plural {
+                let others = load.slots.split_off(1);
+                let (loads, own): (Vec<_>, Vec<_>) = others
+                    .into_iter()
+                    .partition(|(slot, of)| *slot == Slot::Of && matches!(of, Term::Formula(_)));
+                load.slots.extend(own);
+                besides.extend(loads.into_iter().map(|(_, load)| (Slot::With, load)));
+            }
+        }
+        premise.slots.extend(besides);
+    }
+
     /// "the thrusts of the motors" are the thrusts, where no others are told.
     fn leave_owner_of_loads(&self, term: &mut Term) {
         if let Term::Phrase(phrase) = term {
@@ -127,48 +143,30 @@ impl Parts {
         }
     }
 
-    /// What a sentence about all parts says; one without a subject says nothing that others do not.
+    /// A distance of parts of a rigid body, along which they are placed, is constant.
     fn told_plainly(&self, said: &Statement, all: &[Declaration]) -> Option<Statement> {
         let Statement::Is { subjects, what } = said else {
             return None;
         };
-        let letters: Option<Vec<&Formula>> = subjects
-            .iter()
-            .map(|subject| match subject {
-                Term::Formula(letter) => Some(letter),
-                _ => None,
-            })
-            .collect();
-        let letters = letters?;
+        let ([Term::Formula(letter)], "distance", true) =
+            (subjects.as_slice(), what.head, self.rigid)
+        else {
+            return None;
+        };
+        let from = what.slot(Slot::RelativeTo)?;
         let of = what.slot(Slot::Of).and_then(name)?;
-        let one = self.names.iter().find(|name| **name == of);
-        let parts = match one {
+        let parts = match self.names.iter().find(|name| **name == of) {
             Some(one) => std::slice::from_ref(one),
             None if of == self.plural => &self.names[..],
             None => return None,
         };
-        let constant = NounPhrase::new(CONSTANT, vec![]);
-        match (what.head, letters.as_slice(), what.slot(Slot::RelativeTo)) {
-            ("distance", [letter], Some(from)) if self.rigid => {
-                let told = parts
-                    .iter()
-                    .all(|part| is_placed_by(part, from, letter, all));
-                told.then(|| Statement::Is {
-                    subjects: subjects.clone(),
-                    what: constant,
-                })
-            }
-            // How fast a particle spins is nothing of its motion.
-            ("speed", letters, None) if of == self.plural => {
-                let particles = parts.iter().all(|part| is_particle(part, all));
-                let used = letters.iter().all(|letter| stands_in_load(letter, all));
-                (particles && used).then(|| Statement::Is {
-                    subjects: vec![],
-                    what: constant,
-                })
-            }
-            _ => None,
-        }
+        let told = parts
+            .iter()
+            .all(|part| is_placed_by(part, from, letter, all));
+        told.then(|| Statement::Is {
+            subjects: subjects.clone(),
+            what: NounPhrase::new(CONSTANT, vec![]),
+        })
     }
 }
 
@@ -232,30 +230,6 @@ fn is_placed_by(part: &str, from: &Term, letter: &Formula, all: &[Declaration]) 
             };
             own && by && slot(slots, Slot::From) == Some(from)
         })
-    })
-}
-
-/// Whether a sentence says that a thing is a particle.
-fn is_particle(part: &str, all: &[Declaration]) -> bool {
-    all.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => {
-            let mut names = subjects.iter().filter_map(name);
-            what.head == "particle" && names.any(|name| name == part)
-        }
-        _ => false,
-    })
-}
-
-/// Whether a letter stands in what sentences tell of a load that acts somewhere.
-fn stands_in_load(letter: &Formula, all: &[Declaration]) -> bool {
-    let acting = all.iter().filter_map(|d| d.statement.does("act"));
-    let mut loads = acting.flat_map(|(subjects, _)| subjects);
-    loads.any(|load| match load {
-        Term::Phrase(load) => load.all(Slot::Which).any(|which| match which {
-            Term::Formula(formula) => stands_in(letter, formula),
-            _ => false,
-        }),
-        _ => false,
     })
 }
 
