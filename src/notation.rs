@@ -36,7 +36,7 @@ pub use sentences::sentences;
 
 use crate::diagnostic::Diagnostic;
 use crate::source::{Source, Span};
-use delimiters::{Region, is_restructured};
+use delimiters::{Region, is_restructured, with_plain_headings};
 use document::{Document, Format, Formula, Item, Row};
 use parse::rows::Reading;
 use std::borrow::Cow;
@@ -109,10 +109,14 @@ pub fn read_declared(
 fn read_with(name: &str, text: &str, format: Format, marks: &Marks) -> (Document, Vec<Diagnostic>) {
     let mut troubles = vec![];
     // A text with displays that are marked as such is read by these marks.
-    let format = match format {
-        Format::Text if is_restructured(text) => Format::Markdown,
-        format => format,
+    let restructured = format == Format::Text && is_restructured(text);
+    let format = if restructured {
+        Format::Markdown
+    } else {
+        format
     };
+    let headed = restructured.then(|| with_plain_headings(text));
+    let text = headed.as_deref().unwrap_or(text);
     let mut document = read_items(name, text, format, (false, marks), &mut troubles);
     if habits::decimal_commas(&document) {
         troubles.clear();

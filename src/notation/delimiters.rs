@@ -7,7 +7,7 @@ mod code;
 mod restructured;
 mod search;
 
-pub(crate) use restructured::is_restructured;
+pub(crate) use restructured::{is_restructured, with_plain_headings};
 pub(crate) use search::find;
 
 use search::{blank_line, find_command, find_unescaped, paragraph_end};

@@ -17,6 +17,7 @@ mod integral;
 mod letter;
 pub(crate) mod line;
 mod number;
+mod over;
 mod physics;
 mod pieces;
 mod product;

@@ -36,6 +36,7 @@ mod one_of_several;
 mod own_words;
 mod own_writing;
 mod parts;
+mod parts_by_plural;
 mod placed_by_angles;
 mod planes;
 mod planes_and_rates;

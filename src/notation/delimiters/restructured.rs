@@ -16,6 +16,22 @@ pub(crate) fn is_restructured(text: &str) -> bool {
     lines.any(|line| line.trim_start().starts_with(DIRECTIVE))
 }
 
+/// The text with `~` under a heading written as `-`, byte for byte: in Markdown it would open a block of code.
+pub(crate) fn with_plain_headings(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut above = 0;
+    for line in text.split_inclusive('\n') {
+        let marks = line.trim_end();
+        let adorns = marks.len() >= 3 && marks.bytes().all(|b| b == b'~') && marks.len() >= above;
+        match adorns && above > 0 {
+            true => out.push_str(&line.replace('~', "-")),
+            false => out.push_str(line),
+        }
+        above = line.trim_end().chars().count();
+    }
+    out
+}
+
 impl Scan<'_> {
     /// `` :math:`x` ``
     pub(super) fn role(&mut self) {

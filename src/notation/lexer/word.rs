@@ -14,7 +14,7 @@ const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "sqrt"];
 /// Functions that authors write without a backslash.
 const WORDS: &[&str] = &[
     "sin", "cos", "tan", "cot", "sec", "csc", "exp", "sqrt", "det", "diag", "arcsin", "arccos",
-    "arctan", "sinh", "cosh", "tanh",
+    "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh",
 ];
 
 impl<'a> Lexer<'a> {
@@ -44,7 +44,7 @@ impl<'a> Lexer<'a> {
         let before = self.text[..start].chars().next_back();
         let behind = self.text[start + word.len()..].trim_start();
         let alone = !before.is_some_and(|c| c.is_alphabetic() || c == '\\');
-        let called = behind.starts_with(['(', '^']) || behind.starts_with("\\left(");
+        let called = behind.starts_with(['(', '^', '{']) || behind.starts_with("\\left(");
         let function = WORDS.iter().find(|function| **function == word);
         let Some(function) = function.filter(|_| alone && called) else {
             return false;

@@ -137,6 +137,7 @@ impl<'t, 'a> Scan<'t, 'a> {
                     || is_function(inside)
                     || is_environment(inside)
                     || is_rate(inside)
+                    || !script && is_bracket(inside)
             }
         };
         if idle && !group.argument {
@@ -235,6 +236,12 @@ fn is_function(tokens: &[Token<'_>]) -> bool {
         }
         _ => false,
     }
+}
+
+/// `{\left(t\right)}` shows what the brackets alone do.
+fn is_bracket(tokens: &[Token<'_>]) -> bool {
+    let first = tokens.first().map(|token| token.kind);
+    first == Some(Lexeme::Char('(')) && super::bracket_end(tokens, 0) == Some(tokens.len() - 1)
 }
 
 pub(super) fn is_sign(kind: Lexeme<'_>) -> bool {

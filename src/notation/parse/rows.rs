@@ -21,9 +21,10 @@ pub(crate) struct Reading {
 pub(crate) fn rows(tokens: &[Token<'_>]) -> Reading {
     let mut out = Rows::default();
     let physics = |t: &Token<'_>| matches!(t.kind, Lexeme::Command(name) if name.ends_with("mqty") || name.starts_with("mdet") || name.contains("matrix"));
+    let tokens = super::over::with_fractions(tokens);
     let spelled = match tokens.iter().any(physics) {
-        true => super::group::ungrouped(&super::physics::spelled_out(tokens)),
-        false => super::group::ungrouped(tokens),
+        true => super::group::ungrouped(&super::physics::spelled_out(&tokens)),
+        false => super::group::ungrouped(&tokens),
     };
     let mut pieces = pieces(&spelled).into_iter().peekable();
     while let Some(piece) = pieces.next() {

@@ -47,6 +47,7 @@ use super::oscillations::name_oscillations;
 use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::parallel_frames::tell_parallel_frames;
+use super::parts_by_plural::tell_parts_by_plural;
 use super::placed_centres::name_placed_centres;
 use super::placed_points::name_placed_points;
 use super::places::{begin_rods, tell_places, tell_reach};
@@ -184,6 +185,7 @@ fn place_points(declarations: &mut Vec<Declaration>) {
 
 /// Loads and constants, and the positions of particles.
 fn tell_loads(declarations: &mut Vec<Declaration>) {
+    tell_parts_by_plural(declarations);
     give_to_bodies(declarations);
     act_as_listed(declarations);
     join_together(declarations);

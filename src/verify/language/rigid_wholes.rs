@@ -79,7 +79,7 @@ fn is_said(thing: &Term, all: &[Declaration], of: impl Fn(&NounPhrase) -> bool) 
 }
 
 /// Whether a frame is said to be fixed in a body.
-fn has_frame(body: &Term, all: &[Declaration]) -> bool {
+pub(super) fn has_frame(body: &Term, all: &[Declaration]) -> bool {
     all.iter().any(|d| match &d.statement {
         Statement::Is { what, .. } => {
             what.head == "frame" && what.all(Slot::FixedIn).any(|fixed| fixed == body)

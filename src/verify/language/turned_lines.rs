@@ -8,6 +8,7 @@ use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
+use super::turned_frames::turn_frames;
 use super::turned_triads::turn_triads;
 use super::turned_vectors::turn_vectors;
 use crate::notation::Macros;
@@ -27,6 +28,7 @@ pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_by_nodes(declarations, macros);
     turn_vectors(declarations, macros);
     turn_triads(declarations, macros);
+    turn_frames(declarations);
     incline_frames(declarations, macros);
     let mut at = 0;
     while at < declarations.len() {

@@ -15,6 +15,7 @@ use crate::verify::reading::loads_read::acting_force;
 use crate::verify::reading::misheard::heard;
 use crate::verify::reading::momentary::is_momentary;
 use crate::verify::reading::names::{MASS_CENTRE, index_letter, name_of, node_of, reach_of};
+use crate::verify::reading::no_facts::{denies, is_left_to_line};
 use crate::verify::reading::operators_read::if_rates_are_told_apart;
 use crate::verify::reading::potentials_read::tells_zero_of_potential;
 use crate::verify::reading::{Premise, Reading};
@@ -57,6 +58,7 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
     let (said, wants) = heard(with_elements(declarations, &written));
     let (conditional, always): (Vec<_>, Vec<_>) = said
         .into_iter()
+        .filter(|d| !is_left_to_line(d, &written))
         .map(|d| if_rates_are_told_apart(d, declarations, &written))
         .partition(|d| {
             let then = has_condition(d) || is_of_instant(d) || is_momentary(d);
@@ -377,16 +379,6 @@ impl System {
 
 /// Words of a condition in time.
 const WHILES: [&str; 3] = ["before", "after", "during"];
-
-/// Whether a sentence says that something is not so; what is not zero or not negative is a fact.
-fn denies(declaration: &Declaration) -> bool {
-    match &declaration.statement {
-        Statement::Is { what, .. } | Statement::Premise(what) => {
-            what.is("not") && !matches!(what.head, "zero" | "negative")
-        }
-        _ => false,
-    }
-}
 
 /// Whether a sentence holds under a condition alone: "at `\theta = 0`".
 fn has_condition(declaration: &Declaration) -> bool {

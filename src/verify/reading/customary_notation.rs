@@ -36,6 +36,7 @@ pub(super) fn is_custom(sign: &Sign, meaning: &NotationMeaning) -> bool {
         Sign::Mark("wedge" | "cross") => phrase.head == CROSS_PRODUCT_MATRIX,
         Sign::Label { labels, .. } => labels.iter().all(|label| match phrase.head {
             "transpose" => is_t(label),
+            INVERSE_MAP => label.trim_matches(['\\', '$', '{', '}', ' ']) == "vee",
             head => head == "inverse" && plain_label(label) == "-1",
         }),
         Sign::Mark(TWO_DOTS) => phrase.head == SECOND_RATE && phrase.slots.is_empty(),

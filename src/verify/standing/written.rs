@@ -1,13 +1,15 @@
 //! What a line shows of itself before it is worked out.
 
-use crate::notation::ast::{Bracket, Factor, FrameLabel, Kind, Line, Node, Operator, Symbol};
+use crate::notation::ast::{
+    Bracket, Factor, FrameLabel, Kind, Line, Node, Operator, Relation, Symbol,
+};
 use crate::notation::document::{Document, Item, Row};
 use crate::notation::print::latex;
 use crate::recent::Digest;
 use crate::verify::standing::memory::tree_of;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
-use crate::verify::term::written::{TURNING_RATE, Writing, Written};
+use crate::verify::term::written::{TURNING_RATE, Writing, Written, defined};
 use foldhash::{HashMap, HashSet};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -111,6 +113,7 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
         for row in &formula.rows {
             match row {
                 Row::Line(line) => {
+                    found.extend(defined_letters(line));
                     let sides = line.sides.iter();
                     sides.for_each(|side| collect(side, &mut seen, &mut found));
                     let others = trees.entry(line.span);
@@ -127,6 +130,19 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
         symbols: found,
         trees,
         bounds: bounds_of_sums(document),
+    })
+}
+
+/// The letters alone of which a line says by a sign of its own what they are.
+fn defined_letters(line: &Line) -> impl Iterator<Item = String> {
+    let pairs = line.sides.iter().zip(line.sides.iter().skip(1));
+    let said = pairs
+        .zip(&line.relations)
+        .filter(|(_, (relation, _))| *relation == Relation::Defined);
+    let sides = said.flat_map(|((left, right), _)| [left, right]);
+    sides.filter_map(|side| match &side.kind {
+        Kind::Symbol(symbol) => Some(defined(&spell(symbol, true))),
+        _ => None,
     })
 }
 

@@ -10,6 +10,11 @@ use std::sync::Arc;
 /// What stands among the symbols where a rate on axes that turn is written, with a d that is marked or a δ.
 pub(crate) const TURNING_RATE: &str = "d'/dt";
 
+/// What stands among the symbols where a line says by `:=` or `=:` what a letter is.
+pub(crate) fn defined(letter: &str) -> String {
+    format!("{letter} :=")
+}
+
 /// What a document writes. All who go through it share it.
 pub(crate) type Written = Arc<Writing>;
 
