@@ -35,6 +35,7 @@ pub(crate) fn turn_about_told_vectors(declarations: &mut Vec<Declaration>, macro
     let told: Vec<Formula> = declarations
         .iter()
         .filter_map(|d| letter_told(&d.statement))
+        .map(|letter| alike(&letter))
         .collect();
     let mut besides = vec![];
     let mut letters = LETTERS.iter();
@@ -103,6 +104,7 @@ fn turned(statement: &Statement, told: &[Formula]) -> Option<Valued> {
     let Term::Formula(letter) = rate.slot(Slot::Which).filter(|_| rate.head == "rate")? else {
         return None;
     };
+    let about = alike(about);
     if !told.iter().any(|told| told.source == about.source) {
         return None;
     }
@@ -137,6 +139,14 @@ fn product(statement: &Statement, told: &[Formula]) -> Option<Valued> {
         value: product.source.clone(),
         constant: None,
     })
+}
+
+/// A formula as formulas inside others are written.
+fn alike(formula: &Formula) -> Formula {
+    match &formula.row {
+        Row::Expression(node) => Formula::of(node),
+        _ => formula.clone(),
+    }
 }
 
 /// Whether a letter is one of the factors of a product.

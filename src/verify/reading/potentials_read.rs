@@ -157,7 +157,24 @@ impl<'a> Builder<'a> {
         // Whether the energy of a spring is one of the body as well is open.
         match self.declarations.iter().any(speaks_of_spring) {
             true => None,
-            false => self.potential_of(body, &[body]),
+            false => self.potential_of(body, &self.parts_that_move(body)),
+        }
+    }
+
+    /// The parts of a body that are fixed in several frames: where its mass centre is they tell; else the body itself.
+    fn parts_that_move(&self, body: usize) -> Vec<usize> {
+        let system = &self.reading.system;
+        let parts = system.wholes(body);
+        let frames = parts.windows(2);
+        let apart = frames
+            .map(|pair| (system.bodies[pair[0]].frame, system.bodies[pair[1]].frame))
+            .any(|(one, next)| one != next);
+        let counted = parts
+            .iter()
+            .any(|&part| system.bodies[part].members.is_some());
+        match apart && !counted {
+            true => parts,
+            false => vec![body],
         }
     }
 
