@@ -24,13 +24,7 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
     let Some(base) = only_base(&motions) else {
         return;
     };
-    let (upright, others): (Vec<_>, Vec<_>) =
-        (0..declarations.len()).partition(|&at| names_upward(&declarations[at].statement));
-    let others: Vec<Declaration> = others
-        .into_iter()
-        .map(|at| declarations[at].clone())
-        .collect();
-    if names_axes(&others, base.as_ref()) {
+    if names_axes(declarations, base.as_ref()) {
         return;
     }
     let (mut told, mut used) = (vec![], vec![]);
@@ -57,13 +51,6 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
         used.extend([inclination.at].into_iter().chain(inclination.zero));
     }
     let Some(shown) = shown else { return };
-    for at in upright {
-        if let Statement::Is { what, .. } = &mut declarations[at].statement
-            && let Term::Phrase(up) = axis(UPRIGHT, base.as_ref())
-        {
-            *what = *up;
-        }
-    }
     used.extend(motions.iter().map(|motion| motion.at));
     told.extend(
         motions
@@ -135,19 +122,6 @@ pub(super) fn names_axes(declarations: &[Declaration], base: Option<&Term>) -> b
         }
         _ => false,
     })
-}
-
-/// "`$e$` is the upward vertical": the third axis of the frame, which says nothing of the plane.
-fn names_upward(statement: &Statement) -> bool {
-    match statement {
-        Statement::Is { subjects, what } => {
-            let upward = what.head == VERTICAL && what.adjectives == ["upward"];
-            upward
-                && what.slots.is_empty()
-                && matches!(subjects.as_slice(), [one] if name(one).is_some())
-        }
-        _ => false,
-    }
 }
 
 /// "It turns about the second axis by the angle": from the downward vertical half a turn more.

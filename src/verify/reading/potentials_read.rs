@@ -166,13 +166,11 @@ impl<'a> Builder<'a> {
         let system = &self.reading.system;
         let parts = system.wholes(body);
         let frames = parts.windows(2);
-        let apart = frames
-            .map(|pair| (system.bodies[pair[0]].frame, system.bodies[pair[1]].frame))
-            .any(|(one, next)| one != next);
-        let counted = parts
-            .iter()
-            .any(|&part| system.bodies[part].members.is_some());
-        match apart && !counted {
+        let frame = |part: usize| system.bodies[part].frame;
+        let apart = frames.map(|pair| frame(pair[0]).zip(frame(pair[1])));
+        let mut apart = apart.flatten().filter(|(one, next)| one != next);
+        let counted = |&part: &usize| system.bodies[part].members.is_some();
+        match apart.next().is_some() && !parts.iter().any(counted) {
             true => parts,
             false => vec![body],
         }
