@@ -147,6 +147,7 @@ mod told_apart;
 mod told_in_parts;
 mod told_loads;
 mod told_there_alone;
+mod told_vectors;
 pub(crate) mod traits;
 mod triads;
 mod turned_frames;

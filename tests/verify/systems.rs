@@ -67,6 +67,7 @@ mod things_by_letters;
 mod told_by_equations;
 mod told_by_lines;
 mod told_places;
+mod told_vectors;
 mod virtual_power;
 mod ways_to_write;
 mod what_is_not_heard;

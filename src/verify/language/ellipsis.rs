@@ -1,6 +1,7 @@
 //! Several things said in one sentence: where it parts, and the words that its parts leave out.
 
 use super::anaphora::{meant_by_it, reminded};
+use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
@@ -138,7 +139,8 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
         .first()
         .is_some_and(|t| MOVES.contains(&t.lower.as_str()));
     let letter = |tokens: &[Token]| tokens.iter().all(|t| t.kind == Kind::Formula);
-    let moves = moves && letter(last) && !letter(subject);
+    let moves =
+        (moves || is_joined(rest) && ends_with_size(first)) && letter(last) && !letter(subject);
     // "the kinetic energy of the top, which is not zero": a letter is, and not a thing.
     let valued = is_of_quantities(rest) && letter(subject) && !letter(last);
     let owners = match acts || moves || valued {
@@ -153,6 +155,42 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
             _ => vec![[owner, rest].concat(), [rest, owner].concat()],
         })
         .collect()
+}
+
+/// What is done to bodies, and not to the sizes that are told of them.
+const JOINED: [&str; 14] = [
+    "hinged",
+    "pinned",
+    "pivoted",
+    "suspended",
+    "hung",
+    "fixed",
+    "mounted",
+    "attached",
+    "carried",
+    "held",
+    "placed",
+    "connected",
+    "released",
+    "symmetric",
+];
+
+/// "is hinged at O", "are rigidly attached"
+fn is_joined(rest: &[Token]) -> bool {
+    let mut words = rest.iter().map(|t| t.lower.as_str());
+    let copula = words.next().is_some_and(|word| COPULAS.contains(&word));
+    copula
+        && words
+            .find(|word| !word.ends_with("ly"))
+            .is_some_and(|word| JOINED.contains(&word))
+}
+
+/// "of mass `$m$` and length `$l$`": the letter at the end is that of a size.
+fn ends_with_size(first: &[Token]) -> bool {
+    match first {
+        [.., size, letter] => letter.kind == Kind::Formula && SIZES.contains(&size.lower.as_str()),
+        _ => false,
+    }
 }
 
 /// What only quantities are.

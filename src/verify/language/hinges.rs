@@ -90,8 +90,50 @@ pub(crate) fn tell_hinges(declarations: &mut Vec<Declaration>) {
     if let [point] = points.as_slice() {
         name_joint(&mut told, point);
     }
+    tell_other_ends(&mut told);
     *declarations = told;
 }
+
+/// "A is the free end of the link", of a link that is hinged at one other point as well: that is its other end.
+fn tell_other_ends(told: &mut Vec<Declaration>) {
+    let mut others = vec![];
+    for declaration in told.iter() {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let ([end], Some(body), true) = (
+            subjects.as_slice(),
+            what.slot(Slot::Of),
+            what.head == END && what.is("free"),
+        ) else {
+            continue;
+        };
+        let joined = |d: &&Declaration| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let fixed = what.head == "point" && what.all(Slot::FixedIn).any(|own| own == body);
+                fixed && !subjects.contains(end) && is_of_hinge(&d.text)
+            }
+            _ => false,
+        };
+        let hinges: Vec<&Declaration> = told.iter().filter(joined).collect();
+        if let [hinge] = hinges.as_slice()
+            && let [point] = hinge.statement.subjects()
+        {
+            let is = NounPhrase::new(END, vec![(Slot::Of, body.clone())]);
+            others.push(declaration.saying(Statement::one_is(point.clone(), is)));
+        }
+    }
+    others.retain(|d| !told.iter().any(|said| said.statement == d.statement));
+    told.extend(others);
+}
+
+/// Whether a sentence speaks of a hinge.
+fn is_of_hinge(text: &str) -> bool {
+    HINGED.iter().any(|word| text.contains(word))
+}
+
+/// Words of sentences from which the points of hinges come.
+const HINGED: [&str; 3] = ["hinge", "pinned", "pivot"];
 
 /// Puts the point of the only joint in the place of that: forces of the joint act there.
 pub(super) fn name_joint(declarations: &mut [Declaration], point: &Term) {

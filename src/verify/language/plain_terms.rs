@@ -72,6 +72,7 @@ use super::together::join_together;
 use super::told_anew::part_points_told_anew;
 use super::told_in_parts::say_in_parts;
 use super::told_there_alone::tell_frames_of_parts;
+use super::told_vectors::turn_about_told_vectors;
 use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
@@ -149,6 +150,7 @@ fn name_things(
     tell_relations(&mut declarations);
     say_plainly(&mut declarations, macros);
     leave_unknown_bodies(&mut declarations);
+    turn_about_told_vectors(&mut declarations, macros);
     declarations
 }
 

@@ -65,3 +65,20 @@ impl Instants {
         told.map(|(at, _)| at).collect::<Vec<_>>().into_iter()
     }
 }
+
+/// Words by which an instant is told by what is so then, and not by what begins.
+const STATES: [&str; 8] = [
+    "is",
+    "are",
+    "coincide",
+    "coincides",
+    "agree",
+    "agrees",
+    "lies",
+    "lie",
+];
+
+/// Whether the words for an instant tell what is so then.
+pub(super) fn tells_state(name: &str) -> bool {
+    name.split_whitespace().any(|word| STATES.contains(&word))
+}

@@ -10,6 +10,7 @@ use crate::verify::language::is_quantity;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::LineRole;
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::instants::tells_state;
 use crate::verify::reading::loads_read::AT_REST;
 use crate::verify::reading::names::node_of;
 use crate::verify::term::letters::{Reach, spelled};
@@ -255,6 +256,12 @@ impl Builder<'_> {
         });
     }
 
+    /// Whether another sentence says something of an instant.
+    fn speaks_of_instant(&self, name: &str) -> bool {
+        let mut said = self.declarations.iter().map(|d| &d.statement);
+        said.any(|said| instant_of_statement(said).is_some_and(|(own, _)| own == name))
+    }
+
     /// "Lines 3 to 9 hold at `$t=0$`", "at `$\\varphi=0$`": what they say is said of that instant, and so is the relation that
     /// tells it. What holds at a time is given.
     pub(super) fn lines_hold_at(
@@ -267,6 +274,10 @@ impl Builder<'_> {
             .iter()
             .find_map(|(slot, term)| instant_of(*slot, term));
         let (name, condition) = found?;
+        // "at the instant when A coincides with B": what is so then is not worked with.
+        if condition.is_none() && tells_state(&name) && !self.speaks_of_instant(&name) {
+            return None;
+        }
         let told = name == START || slots.iter().any(|(_, term)| is_time_told(term));
         let values = match condition.filter(|_| !told) {
             Some(condition) => self.sides_less(&condition, declaration)?,

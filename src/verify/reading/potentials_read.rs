@@ -157,7 +157,22 @@ impl<'a> Builder<'a> {
         // Whether the energy of a spring is one of the body as well is open.
         match self.declarations.iter().any(speaks_of_spring) {
             true => None,
-            false => self.potential_of(body, &[body]),
+            false => self.potential_of(body, &self.parts_that_move(body)),
+        }
+    }
+
+    /// The parts of a body that are fixed in several frames: where its mass centre is they tell; else the body itself.
+    fn parts_that_move(&self, body: usize) -> Vec<usize> {
+        let system = &self.reading.system;
+        let parts = system.wholes(body);
+        let frames = parts.windows(2);
+        let frame = |part: usize| system.bodies[part].frame;
+        let apart = frames.map(|pair| frame(pair[0]).zip(frame(pair[1])));
+        let mut apart = apart.flatten().filter(|(one, next)| one != next);
+        let counted = |&part: &usize| system.bodies[part].members.is_some();
+        match apart.next().is_some() && !parts.iter().any(counted) {
+            true => parts,
+            false => vec![body],
         }
     }
 

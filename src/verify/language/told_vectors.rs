@@ -1,0 +1,157 @@
+//! Turns about vectors that formulas tell: "`$n=\cos\beta\,i+\sin\beta\,k$`" and "B turns relative to N about `$n$` at the rate
+//! `$w$`", or "`$w n$` is the angular velocity of B relative to N". A product that is said to be something names it by its signs
+//! alone; where another sentence tells one of its factors, it is what it comes to as well.
+
+use super::heads::{ACCELERATION, ANGULAR_VELOCITY, UNIT_VECTOR, VELOCITY};
+use super::one_thing::is_letter;
+use super::reader::formula;
+use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use crate::notation::Macros;
+use crate::notation::ast::{Kind, Node};
+use crate::notation::document::Row;
+
+/// Vectors of which a product may be said to be one.
+const VECTORS: [&str; 5] = [
+    ANGULAR_VELOCITY,
+    VELOCITY,
+    ACCELERATION,
+    "momentum",
+    "angular momentum",
+];
+
+/// More turns are not told so.
+const LETTERS: [&str; 6] = ["a", "b", "c", "d", "e", "f"];
+
+/// A quantity with the formula of its value.
+struct Valued {
+    what: NounPhrase,
+    value: String,
+    /// What is constant besides.
+    constant: Option<Term>,
+}
+
+/// Gives each such quantity a letter of its own, of which the formula tells the value.
+pub(crate) fn turn_about_told_vectors(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let told: Vec<Formula> = declarations
+        .iter()
+        .filter_map(|d| letter_told(&d.statement))
+        .map(|letter| alike(&letter))
+        .collect();
+    let mut besides = vec![];
+    let mut letters = LETTERS.iter();
+    for declaration in declarations.iter_mut() {
+        let statement = &declaration.statement;
+        let Some(valued) = turned(statement, &told).or_else(|| product(statement, &told)) else {
+            continue;
+        };
+        let Some(mark) = letters.next() else { return };
+        let letter = format!("\\boldsymbol{{w}}_{{\\mathrm{{turn}}{mark}}}");
+        let holds = formula(&format!("{letter}={}", valued.value), false, macros);
+        let (Some(own), Some(holds)) = (formula(&letter, false, macros), holds) else {
+            continue;
+        };
+        besides.push(declaration.saying(Statement::Holds(holds)));
+        let constant = NounPhrase::new("constant", vec![]);
+        let constant = valued
+            .constant
+            .map(|letter| Statement::one_is(letter, constant));
+        besides.extend(constant.map(|said| declaration.saying(said)));
+        declaration.statement = Statement::one_is(Term::Formula(own), valued.what);
+    }
+    declarations.extend(besides);
+}
+
+/// The letter whose value a sentence tells by a formula.
+fn letter_told(statement: &Statement) -> Option<Formula> {
+    match statement {
+        Statement::Holds(relation) => {
+            let Row::Line(line) = &relation.row else {
+                return None;
+            };
+            let letter = Formula::of(line.sides.first()?);
+            is_letter(&letter).then_some(letter)
+        }
+        Statement::Same { subjects, others } => match (subjects.as_slice(), others.as_slice()) {
+            ([Term::Formula(letter)], [Term::Formula(value)]) => {
+                (is_letter(letter) && !is_letter(value)).then(|| letter.clone())
+            }
+            _ => None,
+        },
+        Statement::Is { subjects, what } if what.head == UNIT_VECTOR => {
+            let along = what.slot(Slot::Along)?;
+            match (subjects.as_slice(), along) {
+                ([Term::Formula(letter)], Term::Formula(along)) => {
+                    (is_letter(letter) && !is_letter(along)).then(|| letter.clone())
+                }
+                _ => None,
+            }
+        }
+        _ => None,
+    }
+}
+
+/// "B turns relative to N about `$n$` at the constant rate `$w$`"
+fn turned(statement: &Statement, told: &[Formula]) -> Option<Valued> {
+    let (subjects, slots) = statement.does("turn")?;
+    let ([body], 2 | 3) = (subjects, slots.len()) else {
+        return None;
+    };
+    let (Term::Formula(about), Term::Phrase(rate)) =
+        (slot(slots, Slot::About)?, slot(slots, Slot::At)?)
+    else {
+        return None;
+    };
+    let Term::Formula(letter) = rate.slot(Slot::Which).filter(|_| rate.head == "rate")? else {
+        return None;
+    };
+    let about = alike(about);
+    if !told.iter().any(|told| told.source == about.source) {
+        return None;
+    }
+    let base = slot(slots, Slot::RelativeTo);
+    if slots.len() == 3 && base.is_none() {
+        return None;
+    }
+    let base = base.map(|base| (Slot::RelativeTo, base.clone()));
+    let of = std::iter::once((Slot::Of, body.clone())).chain(base);
+    Some(Valued {
+        what: NounPhrase::new(ANGULAR_VELOCITY, of.collect()),
+        value: format!("({})\\,{}", letter.source, about.source),
+        constant: rate.is("constant").then(|| Term::Formula(letter.clone())),
+    })
+}
+
+/// "`$w n$` is the angular velocity of B relative to N"
+fn product(statement: &Statement, told: &[Formula]) -> Option<Valued> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let [Term::Formula(product)] = subjects.as_slice() else {
+        return None;
+    };
+    let Row::Expression(node) = &product.row else {
+        return None;
+    };
+    let made = matches!(node.kind, Kind::Product(_)) && VECTORS.contains(&what.head);
+    let known = made && told.iter().any(|told| is_factor(node, told));
+    known.then(|| Valued {
+        what: what.clone(),
+        value: product.source.clone(),
+        constant: None,
+    })
+}
+
+/// A formula as formulas inside others are written.
+fn alike(formula: &Formula) -> Formula {
+    match &formula.row {
+        Row::Expression(node) => Formula::of(node),
+        _ => formula.clone(),
+    }
+}
+
+/// Whether a letter is one of the factors of a product.
+fn is_factor(product: &Node, letter: &Formula) -> bool {
+    product
+        .children()
+        .any(|factor| Formula::of(factor).source == letter.source)
+}
