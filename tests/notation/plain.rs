@@ -259,3 +259,17 @@ fn a_line_that_is_one_piece_of_code_is_a_formula_as_a_whole() {
     let formulas: Vec<&str> = formulas.collect();
     assert_eq!(formulas, ["w = b + (x + z sin(lam)) u", "a = b"]);
 }
+
+#[test]
+fn stops_of_chinese_end_a_formula_as_others_do() {
+    let text = "由（1）：ω̇₁ = −Ω ω₂。\n令 L = I ω，其中 I 为转动惯量。\n  η = ω₁ + i ω₂：\n";
+    let found: Vec<String> = places(text).into_iter().map(|(_, row)| row).collect();
+    assert_eq!(
+        found,
+        [
+            "(dot omega_1) = (- (* Omega omega_2))",
+            "L = (* I omega)",
+            "eta = (+ omega_1 (* i omega_2))"
+        ]
+    );
+}

@@ -32,7 +32,7 @@ fn ways_written(node: &Node) -> &'static [Way] {
         Kind::Call(..) | Kind::Group(..) => &[Way::Brackets, Way::SideBySide],
         Kind::Tuple(_) | Kind::Matrix(_) | Kind::Determinant(_) | Kind::Norm(_) => &[Way::Brackets],
         Kind::Skew(_) | Kind::InFrame(..) => &[Way::Brackets, Way::Raised],
-        Kind::Product(_) | Kind::Function(..) => &[Way::SideBySide],
+        Kind::Product(_) => &[Way::SideBySide],
         Kind::Power(..) | Kind::Transpose(_) => &[Way::Raised],
         Kind::Symbol(symbol) if !symbol.superscripts.is_empty() || symbol.primes > 0 => {
             &[Way::Raised]
