@@ -1,6 +1,6 @@
 //! Centres of shapes that are their mass centres, and sentences by which they may not be.
 
-use super::heads::{DENSITY, MASS_CENTRE, UNBALANCED};
+use super::heads::{DENSITY, MASS, MASS_CENTRE, UNBALANCED};
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::traits::{
@@ -90,10 +90,26 @@ fn with_density(declarations: &[Declaration]) -> BTreeSet<String> {
     declarations.iter().flat_map(told).collect()
 }
 
-/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod; a shape is uniform where no
-/// sentence says otherwise.
+/// The things that have a mass.
+fn with_mass(declarations: &[Declaration]) -> BTreeSet<String> {
+    let is_mass = |(_, term): &(Slot, Term)| matches!(term, Term::Phrase(of) if of.head == MASS);
+    let mut massive = names_with(declarations, |what| what.slots.iter().any(is_mass));
+    for declaration in declarations {
+        if let Statement::Is { what, .. } = &declaration.statement
+            && what.head == MASS
+        {
+            massive.extend(what.all(Slot::Of).filter_map(name));
+        }
+    }
+    massive
+}
+
+/// The centre of a uniform disc is its mass centre, and so is the middle of a uniform rod; a shape that has a mass is uniform where
+/// no sentence says otherwise.
 pub(crate) fn centre_shapes(declarations: &mut [Declaration]) {
-    let mut uniform = names_with(declarations, |what| has(what.head, Shape));
+    let shaped = names_with(declarations, |what| has(what.head, Shape));
+    let massive = with_mass(declarations);
+    let mut uniform: BTreeSet<String> = shaped.intersection(&massive).cloned().collect();
     let otherwise = [off_centre(declarations), with_density(declarations)];
     uniform.retain(|thing| !otherwise.iter().any(|others| others.contains(thing)));
     uniform.extend(names_with(declarations, |what| what.is("uniform")));

@@ -57,7 +57,7 @@ pub(super) const CONDITIONS: [&str; 12] = [
 ];
 
 /// Words by which a sentence may say how all formulas are read.
-const OF_CONVENTIONS: [&str; 34] = [
+const OF_CONVENTIONS: [&str; 33] = [
     "vector",
     "vectors",
     "tensor",
@@ -89,7 +89,6 @@ const OF_CONVENTIONS: [&str; 34] = [
     "equation",
     "equations",
     "formula",
-    "formulas",
     "line",
     "lines",
 ];
@@ -193,18 +192,19 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether no word of it is one of how formulas are read, or takes back what is assumed of things: without it less is
-    /// known, and what is known means the same.
+    /// Whether it speaks of loads, and no word of it is one of how formulas are read, or takes back what is assumed of things:
+    /// without it less is known, and what is known means the same.
     fn leaves_formulas_as_they_are(&mut self) -> bool {
         let start = self.at;
-        let mut rules = self.takes_back() || self.unsays();
+        let (mut rules, mut loads) = (self.takes_back() || self.unsays(), false);
         while !rules && !self.done() {
+            loads |= self.at_load();
             let word = self.word();
             rules = may_be_rule(word) || OF_CONVENTIONS.contains(&word) || self.at_rule(false);
             self.at += 1;
         }
         self.at = start;
-        !rules
+        loads && !rules
     }
 
     /// The formulas that a sentence is about; none if it is about something else as well.

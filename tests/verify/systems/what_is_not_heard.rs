@@ -377,6 +377,7 @@ B turns freely relative to N.
 $\mathbf{w}$ is the angular velocity of B relative to N.
 $\mathbf{u}$ is a vector fixed in B.
 $\mathbf{d}$ is the rate of $\mathbf{u}$ seen from N.
+$n$ is a constant.
 ";
     let text = r"
 $$ \mathbf{d} = \mathbf{w}\times\mathbf{u} $$
@@ -385,7 +386,7 @@ $$ 2^{n}\mathbf{d} = 2^{n}\mathbf{w}\times\mathbf{u} $$
 ";
     let with = |rule: &str| verdicts(&format!("{sentences}{rule}\n"), text).0;
     assert_eq!(&with("")[..1], "p");
-    assert_eq!(&with("A brace over a letter snorkels its value.")[..1], "p");
+    assert_eq!(&with("A brace over a letter snorkels its value.")[..1], "u");
     assert_eq!(&with("A brace over a letter holds its value.")[..2], "pu");
     let raised = with("`2^{n}` is the flurbel of `n`.");
     assert_eq!((&raised[..1], &raised[2..3]), ("p", "u"));
@@ -403,9 +404,13 @@ B turns relative to N about z by the angle $q$.
 $w$ is the component along z of the angular velocity of B relative to N.
 ";
     let with = |rule: &str| verdicts(&format!("{sentences}{rule}\n"), "$$ w = \\dot q $$\n").0;
-    assert_eq!(with("The rotor is snorkelled by its bearings alone."), "p");
+    assert_eq!(
+        with("The rotor is snorkelled by its weight and by the force of its bearing alone."),
+        "p"
+    );
     for rule in [
-        "The rotor is snorkelled by vectors with components on N.",
+        "The rotor is snorkelled by its bearings.",
+        "The rotor is snorkelled by a force with components on N.",
         "The rotor is snorkelled with its sign reversed.",
         "All rates are snorkelled.",
     ] {
