@@ -13,8 +13,6 @@ use crate::verify::reading::names::name_of;
 use crate::verify::term::written::WrittenSymbols;
 use std::collections::BTreeSet;
 
-/// The noun of mass by volume.
-
 /// How deep phrases stand in each other.
 const DEEPEST: usize = 8;
 
