@@ -387,7 +387,7 @@ $$ 2^{n}\mathbf{d} = 2^{n}\mathbf{w}\times\mathbf{u} $$
     let with = |rule: &str| verdicts(&format!("{sentences}{rule}\n"), text).0;
     assert_eq!(&with("")[..1], "p");
     assert_eq!(&with("A brace over a letter snorkels its value.")[..1], "u");
-    assert_eq!(&with("A brace over a letter holds its value.")[..2], "pu");
+    assert_eq!(&with("A brace over a letter shows its flurbel.")[..2], "pu");
     let raised = with("`2^{n}` is the flurbel of `n`.");
     assert_eq!((&raised[..1], &raised[2..3]), ("p", "u"));
     assert_eq!(
