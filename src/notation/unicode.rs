@@ -183,7 +183,6 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
         'a'..='z' | 'A'..='Z' => Letter(c),
         'α'..='ω' | 'Α'..='Ω' | 'ϕ' | 'ϑ' | 'ϵ' | 'ϖ' | 'ϱ' => Command(greek(c)?),
         '\u{2126}' => Command("Omega"),
-        '，' | '、' | '。' | '：' | '；' | '（' | '）' => Char(plain_stop(c)?),
         '×' | '✕' | '⨯' | '⨉' => Command("times"),
         '·' | '⋅' | '∙' | '•' => Command("cdot"),
         '−' | '–' => Char('-'),
@@ -229,7 +228,7 @@ pub(crate) fn lexeme(c: char) -> Option<Lexeme<'static>> {
         'ℓ' => Command("ell"),
         '‖' => Char('‖'),
         '“' | '”' => Char('"'),
-        _ => return mathematical(c),
+        _ => return plain_stop(c).map(Char).or_else(|| mathematical(c)),
     })
 }
 

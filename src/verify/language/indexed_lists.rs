@@ -5,7 +5,6 @@ use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
 use crate::notation::ast::{Kind, Symbol};
-use crate::notation::document::Row;
 
 /// Nouns of which a list has one for each axis.
 const OF_EACH_AXIS: [&str; 2] = ["component", PRINCIPAL_MOMENTS];
@@ -77,11 +76,8 @@ fn symbol(term: &Term) -> Option<&Symbol> {
     let Term::Formula(letter) = term else {
         return None;
     };
-    match &letter.row {
-        Row::Expression(node) => match &node.kind {
-            Kind::Symbol(symbol) => Some(symbol),
-            _ => None,
-        },
+    match &letter.node()?.kind {
+        Kind::Symbol(symbol) => Some(symbol),
         _ => None,
     }
 }

@@ -8,7 +8,6 @@ use super::rigid_wholes::has_frame;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::traits::is_force;
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::notation::document::Row;
 
 /// What is said of parts by their plural is said in the terms that the model has.
 pub(crate) fn tell_parts_by_plural(declarations: &mut Vec<Declaration>) {
@@ -212,7 +211,7 @@ fn load_of_part(statement: &Statement) -> Option<(&'static str, String, Term)> {
         return None;
     };
     let plain = what.adjectives.is_empty() && is_force(what.head);
-    let product = !matches!(node_of(formula)?.kind, Kind::Symbol(_));
+    let product = !matches!(formula.node()?.kind, Kind::Symbol(_));
     (plain && product).then(|| (what.head, of.clone(), letter.clone()))
 }
 
@@ -239,18 +238,11 @@ fn stands_in(letter: &Formula, formula: &Formula) -> bool {
         let own = matches!(&node.kind, Kind::Symbol(symbol) if symbol == letter);
         own || node.children().any(|child| holds(child, letter))
     }
-    let (Some(letter), Some(node)) = (node_of(letter), node_of(formula)) else {
+    let (Some(letter), Some(node)) = (letter.node(), formula.node()) else {
         return false;
     };
     match &letter.kind {
         Kind::Symbol(letter) => holds(node, letter),
         _ => false,
-    }
-}
-
-fn node_of(formula: &Formula) -> Option<&Node> {
-    match &formula.row {
-        Row::Expression(node) => Some(node),
-        _ => None,
     }
 }

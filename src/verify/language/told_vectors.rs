@@ -129,9 +129,7 @@ fn product(statement: &Statement, told: &[Formula]) -> Option<Valued> {
     let [Term::Formula(product)] = subjects.as_slice() else {
         return None;
     };
-    let Row::Expression(node) = &product.row else {
-        return None;
-    };
+    let node = product.node()?;
     let made = matches!(node.kind, Kind::Product(_)) && VECTORS.contains(&what.head);
     let known = made && told.iter().any(|told| is_factor(node, told));
     known.then(|| Valued {
@@ -143,10 +141,7 @@ fn product(statement: &Statement, told: &[Formula]) -> Option<Valued> {
 
 /// A formula as formulas inside others are written.
 fn alike(formula: &Formula) -> Formula {
-    match &formula.row {
-        Row::Expression(node) => Formula::of(node),
-        _ => formula.clone(),
-    }
+    formula.node().map_or_else(|| formula.clone(), Formula::of)
 }
 
 /// Whether a letter is one of the factors of a product.

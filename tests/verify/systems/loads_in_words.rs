@@ -237,3 +237,30 @@ $$ \dot{\vec v}=g z $$
         assert_eq!(judged(&sentences, text), "pr", "{list}");
     }
 }
+
+#[test]
+fn what_exerts_a_moment_along_an_axis_is_what_the_list_of_loads_names() {
+    let sentences = |brake: &str| {
+        format!(
+            r"N is an inertial frame with the axes x, y and z, of which z points upward.
+The flywheel is a uniform disc of mass $m$ and radius $R$, and it is symmetric about z.
+The flywheel turns relative to N about z by the angle $\phi$.
+C is the centre of the flywheel and is fixed in N.
+{brake}
+The weight, the force at C and the brake moment are the only loads on the flywheel.
+$E$ is the kinetic energy of the flywheel.
+"
+        )
+    };
+    let text = r"
+$$ \tfrac12 m R^2\ddot\phi = -b\dot\phi $$
+$$ \dot E = -b\dot\phi^2 $$
+$$ \dot E = -b\dot\phi $$
+";
+    for brake in [
+        r"A brake exerts the moment $-b\dot\phi$ along z on the flywheel.",
+        r"The brake applies a torque $-b\dot\phi$ along z to the flywheel.",
+    ] {
+        assert_eq!(judged(&sentences(brake), text), "ppr", "{brake}");
+    }
+}
