@@ -301,7 +301,8 @@ fn is_fixed_elsewhere(hinge: &Hinge, declarations: &[Declaration]) -> bool {
         Statement::Does { subjects, .. } if subjects.contains(&hinge.point) => true,
         Statement::Does { verb, slots, .. } if JOINS.contains(verb) => {
             let at = slots.contains(&(Slot::At, hinge.point.clone()));
-            at && slot(slots, Slot::To).is_some()
+            let other = slot(slots, Slot::To).is_some_and(|to| Some(to) != hinge.to.as_ref());
+            at && other
         }
         _ => false,
     })

@@ -1,6 +1,7 @@
 //! Rods that lie along an axis from one of their ends: where their middle and their other end are.
 
-use super::heads::{MASS_CENTRE, UNIT_VECTOR};
+use super::heads::{MASS_CENTRE, POSITION, UNIT_VECTOR};
+use super::kinds::name;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::traits::{Trait, has};
@@ -23,38 +24,90 @@ pub(super) fn lay_rods(declarations: &mut Vec<Declaration>, macros: &Macros) {
     }
 }
 
+/// A direction that a sentence tells by two points.
+struct Way {
+    along: Term,
+    from: Term,
+    to: Term,
+    /// Whether nothing else is left of the sentence once a rod lies so.
+    of_axis: bool,
+}
+
 /// "`$u$` is the unit vector from A to G", from an end of a rod to its mass centre or to its other end: the rod lies along u
-/// from A.
+/// from A. For an axis that points so that is all.
 fn point_along_rods(declarations: &mut Vec<Declaration>) {
     let rods = declarations.iter().filter_map(|d| match &d.statement {
         Statement::Is { subjects, what } if has(what.head, Trait::Slender) => Some(subjects),
         _ => None,
     });
     let rods: Vec<Term> = rods.flatten().cloned().collect();
-    let mut laid = vec![];
-    for declaration in declarations.iter() {
-        let Statement::Is { subjects, what } = &declaration.statement else {
-            continue;
-        };
-        let ([along], true) = (subjects.as_slice(), what.head == UNIT_VECTOR) else {
-            continue;
-        };
-        let (Some(from), Some(to)) = (what.slot(Slot::From), what.slot(Slot::To)) else {
+    for at in 0..declarations.len() {
+        let Some(way) = way(&declarations[at].statement, declarations) else {
             continue;
         };
         let own = |rod: &&Term| {
+            let named = is_named_by(rod, &way);
             let of_rod = |point: &Term| ends(rod, declarations).any(|end| end == point);
-            of_rod(from) && (of_rod(to) || is_centre(to, rod, declarations))
+            let from = named || of_rod(&way.from);
+            from && (named || of_rod(&way.to) || is_centre(&way.to, rod, declarations))
         };
-        laid.extend(rods.iter().find(own).map(|rod| {
-            declaration.saying(Statement::Does {
-                subjects: vec![rod.clone()],
-                verb: "lie",
-                slots: vec![(Slot::Along, along.clone()), (Slot::From, from.clone())],
-            })
-        }));
+        let Some(rod) = rods.iter().find(own).cloned() else {
+            continue;
+        };
+        let mut slots = vec![
+            (Slot::Along, way.along.clone()),
+            (Slot::From, way.from.clone()),
+        ];
+        if is_named_by(&rod, &way) {
+            slots.push((Slot::To, way.to.clone()));
+        }
+        let lies = Statement::Does {
+            subjects: vec![rod],
+            verb: "lie",
+            slots,
+        };
+        match way.of_axis {
+            true => declarations[at].statement = lies,
+            false => declarations.push(declarations[at].saying(lies)),
+        }
     }
-    declarations.extend(laid);
+}
+
+fn way(statement: &Statement, declarations: &[Declaration]) -> Option<Way> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let [along] = subjects.as_slice() else {
+        return None;
+    };
+    let of_axis = declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == "axes" && subjects.contains(along),
+        _ => false,
+    });
+    let (from, to) = match what.head {
+        UNIT_VECTOR => (what.slot(Slot::From)?, what.slot(Slot::To)?),
+        // What an axis points along is no distance.
+        POSITION if of_axis => {
+            let from = what
+                .slot(Slot::RelativeTo)
+                .or_else(|| what.slot(Slot::From));
+            (from?, what.slot(Slot::Of)?)
+        }
+        _ => return None,
+    };
+    Some(Way {
+        along: along.clone(),
+        from: from.clone(),
+        to: to.clone(),
+        of_axis,
+    })
+}
+
+/// Whether a rod is called by the points of a way, as AB is from A to B.
+fn is_named_by(rod: &Term, way: &Way) -> bool {
+    let named = |one: &Term, other: &Term| Some(format!("{}{}", name(one)?, name(other)?));
+    let rod = name(rod);
+    rod.is_some() && (rod == named(&way.from, &way.to) || rod == named(&way.to, &way.from))
 }
 
 /// "The beam lies along `$e$` from A to B": these are its ends.
@@ -90,6 +143,42 @@ fn end_rods(declarations: &mut Vec<Declaration>) {
         };
     }
     declarations.extend(told);
+}
+
+/// "A is fixed in N", where A is an end of a rod: it is a point of both.
+pub(crate) fn fix_ends(declarations: &mut Vec<Declaration>) {
+    let mut added = vec![];
+    for declaration in declarations.iter() {
+        let Statement::Is { subjects, what } = &declaration.statement else {
+            continue;
+        };
+        let ([end], "fixed", [(Slot::FixedIn, place)]) =
+            (subjects.as_slice(), what.head, what.slots.as_slice())
+        else {
+            continue;
+        };
+        let rods = declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let own = what.head == END && subjects.contains(end);
+                own.then(|| what.slot(Slot::Of)).flatten()
+            }
+            _ => None,
+        });
+        let mut rods = rods.filter(|rod| *rod != place && is_rod(rod, declarations));
+        let (Some(rod), None) = (rods.next(), rods.next()) else {
+            continue;
+        };
+        let known = declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                subjects.contains(end) && what.all(Slot::FixedIn).any(|of| of == rod)
+            }
+            _ => false,
+        });
+        let point = NounPhrase::new("point", vec![(Slot::FixedIn, rod.clone())]);
+        let point = Statement::one_is(end.clone(), point);
+        added.extend((!known).then(|| declaration.saying(point)));
+    }
+    declarations.extend(added);
 }
 
 /// Whether a thing is said to be a rod.
@@ -164,14 +253,11 @@ fn length_of(rod: &Term, declarations: &[Declaration]) -> Option<Formula> {
 
 /// The points that are said to be ends of a rod.
 fn ends<'d>(rod: &'d Term, declarations: &'d [Declaration]) -> impl Iterator<Item = &'d Term> {
-    declarations.iter().filter_map(move |d| match &d.statement {
-        Statement::Is { subjects, what } => match subjects.as_slice() {
-            [end] if is_end(what, rod) => Some(end),
-            // "the upper end of the rod is the mass centre of the head"
-            _ => None,
-        },
+    let told = declarations.iter().filter_map(move |d| match &d.statement {
+        Statement::Is { subjects, what } => is_end(what, rod).then_some(subjects),
         _ => None,
-    })
+    });
+    told.flatten()
 }
 
 fn is_end(what: &NounPhrase, rod: &Term) -> bool {
@@ -199,6 +285,8 @@ fn lay(laid: &Laid, at: usize, declarations: &mut Vec<Declaration>, macros: &Mac
         let other = match &declaration.statement {
             Statement::Is { subjects, what } => match subjects.as_slice() {
                 [point] if is_end(what, rod) && point != from => Some(point.clone()),
+                [one, other] if is_end(what, rod) && other == from => Some(one.clone()),
+                [one, other] if is_end(what, rod) && one == from => Some(other.clone()),
                 [Term::Phrase(end)] if is_end(end, rod) => {
                     Some(Term::Phrase(Box::new(what.clone())))
                 }

@@ -10,14 +10,17 @@ use super::body_axes::{end_the_same, fix_pivots, part_centres, tell_normals, tur
 use super::centres::centre_shapes;
 use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
+use super::contacts::{place_contact_forces, tell_contacts};
 use super::coordinates::tell_coordinates;
 use super::counted::{lay_in_turn, number_counted, part_first};
+use super::directed_loads::direct_loads;
 use super::disturbed::tell_disturbed;
 use super::element_places::place_elements;
 use super::entries::{tell_entries, tell_parts};
 use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
+use super::floors::lay_floors;
 use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
@@ -30,6 +33,7 @@ use super::kinds::{
     show_frames, tell_axes, tell_mass_centres,
 };
 use super::laid_by_angles::lay_by_angles;
+use super::laid_rods::fix_ends;
 use super::letters_at_instants::tell_letters_at_instants;
 use super::level_axes::{name_level_axes, tell_axes_that_point_down};
 use super::lexicon::Lexicon;
@@ -92,7 +96,7 @@ pub(crate) fn in_plain_terms(
     tell_loads_of_families(&mut declarations, macros);
     count_members(&mut declarations);
     place_points(&mut declarations);
-    tell_loads(&mut declarations);
+    tell_loads(&mut declarations, macros);
     tell_axes(&mut declarations);
     name_axes_across(&mut declarations);
     tell_ends(&mut declarations, macros);
@@ -165,6 +169,8 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
     name_axes_by_vectors(declarations);
     name_fixed_axes(declarations, macros);
     tell_upright_axes(declarations);
+    lay_floors(declarations);
+    tell_contacts(declarations);
 }
 
 /// Members of families, by their numbers and names.
@@ -186,7 +192,9 @@ fn place_points(declarations: &mut Vec<Declaration>) {
 }
 
 /// Loads and constants, and the positions of particles.
-fn tell_loads(declarations: &mut Vec<Declaration>) {
+fn tell_loads(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    place_contact_forces(declarations);
+    direct_loads(declarations, macros);
     tell_parts_by_plural(declarations);
     give_to_bodies(declarations);
     act_as_listed(declarations);
@@ -215,6 +223,7 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     place_at_zero(declarations);
     tell_hinges(declarations);
     name_ends(declarations);
+    fix_ends(declarations);
     lay_by_angles(declarations, macros);
     lay_hung_rods(declarations, macros);
     begin_rods(declarations, macros);

@@ -6,8 +6,9 @@ use super::heads::{UNIT_VECTOR, VERTICAL};
 use super::is_body;
 use super::kinds::{name, rename};
 use super::named_places::{PLACES, names_place_again};
-use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
+use crate::notation::ast::Kind;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
@@ -23,6 +24,9 @@ const HOISTED: [Slot; 4] = [
 
 /// The name of the inertial frame where no sentence gives it one.
 const INERTIAL_FRAME: &str = "inertial frame";
+
+/// Names of the place that is at rest.
+const LABORATORY: [&str; 2] = ["laboratory", "lab"];
 
 /// Names the things that sentences speak of by a noun and adjectives that tell nothing new.
 pub(crate) fn name_plainly(declarations: &mut Vec<Declaration>) {
@@ -194,6 +198,10 @@ fn is_hoisted_or_number((slot, term): &(Slot, Term)) -> bool {
 
 /// Gives a thing its plain name; whether the inertial frame was spoken of.
 fn plain(term: &mut Term, ground: &str) -> bool {
+    if matches!(term, Term::Name(place) if LABORATORY.contains(&place.as_str())) {
+        *term = Term::Name(ground.to_owned());
+        return true;
+    }
     let Term::Phrase(phrase) = term else {
         return false;
     };
@@ -280,7 +288,29 @@ fn tell_verticals(declarations: &mut [Declaration]) {
             what.adjectives.push(what.head);
             what.head = VERTICAL;
         }
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && what.head == VERTICAL
+            && let ([Term::Formula(axis)], [sense]) =
+                (subjects.as_mut_slice(), what.adjectives.as_mut_slice())
+            && let (Some(opposite), Some(other)) = (negated(axis), other_sense(sense))
+        {
+            *axis = opposite;
+            *sense = other;
+        }
     }
+}
+
+/// The letter that has a minus before it.
+fn negated(formula: &Formula) -> Option<Formula> {
+    match &formula.node()?.kind {
+        Kind::Negate(letter) => Some(Formula::of(letter)),
+        _ => None,
+    }
+}
+
+fn other_sense(sense: &str) -> Option<&'static str> {
+    let at = SENSES_OF_VERTICAL.iter().position(|own| *own == sense)?;
+    Some(SENSES_OF_VERTICAL[1 - at])
 }
 
 /// How the vertical points.

@@ -5,6 +5,7 @@ use super::clause::Said;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
+use super::load_clauses::loads_apart;
 use super::reorder::{
     axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
     without_brackets, without_ranges,
@@ -48,6 +49,8 @@ pub(crate) fn understood(
 ) -> Result<Vec<Said>, Misread> {
     let said = said_first(tokens);
     let tokens = said.as_deref().unwrap_or(tokens);
+    let apart = loads_apart(tokens, lexicon);
+    let tokens = apart.as_deref().unwrap_or(tokens);
     let first = match strictly(tokens) {
         Ok(said) => return Ok(said),
         Err(stuck) => stuck.error,

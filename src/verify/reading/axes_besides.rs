@@ -10,6 +10,7 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{along_of, name_of, node_of, written};
 use crate::verify::term::letters::{At, Letter, Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
+use std::collections::BTreeSet;
 
 /// The marks of unit vectors: `\vec n`, `\hat n`, `\hat{\mathbf n}`.
 const MARKS: [(bool, bool); 3] = [(true, false), (false, true), (true, true)];
@@ -33,6 +34,46 @@ impl Builder<'_> {
                 }
             }
         }
+    }
+
+    /// A letter of which no sentence tells, that a sentence's own formula has with the mark of a vector, and that is called as
+    /// an axis is, is the unit vector along it.
+    pub(super) fn name_axes_in_formulas(&mut self) {
+        let said = self.declarations.iter().map(|d| &d.statement);
+        let formulas = said.flat_map(Statement::formulas).filter_map(node_of);
+        let used: BTreeSet<String> = formulas.flat_map(marked_parts).collect();
+        for declaration in self.declarations {
+            let Statement::Is { subjects, what } = &declaration.statement else {
+                continue;
+            };
+            let axes = matches!(what.head, "axes" | "axis");
+            for subject in subjects.iter().filter(|_| axes) {
+                let axis = name_of(subject).and_then(|name| self.only_axis(&name));
+                let letters = ways_to_write(subject).into_iter().skip(1);
+                for letter in letters.filter(|letter| used.contains(&spelled(letter))) {
+                    let told = self.is_told_as_letter(&letter);
+                    if let Some((frame, axis)) = axis.filter(|_| !told) {
+                        let along = Meaning::Quantity(Quantity::Axis(frame, axis));
+                        let letter = self.letter(&Formula::of(&letter), along, declaration);
+                        self.reading.letters.letters.extend(letter);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether a sentence says of a letter what it is.
+    fn is_told_as_letter(&self, letter: &Node) -> bool {
+        let own = spelled(letter);
+        let is_letter = |term: &Term| match term {
+            Term::Formula(formula) => node_of(formula).is_some_and(|node| spelled(node) == own),
+            _ => false,
+        };
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, .. } => subjects.iter().any(is_letter),
+            Statement::Same { subjects, others } => subjects.iter().chain(others).any(is_letter),
+            _ => false,
+        })
     }
 
     /// The axis of a name, where all axes that have it are the same one.
@@ -149,13 +190,15 @@ impl Builder<'_> {
         if told || !letters.written.has(&exact) || self.stands_in_sentences(letter) {
             return;
         }
+        if !is_unit_vector(letter) {
+            self.reading.letters.customs.named_only.insert(exact);
+        }
         let along = Meaning::Quantity(Quantity::Axis(frame, axis));
         let letter = self.letter(&Formula::of(letter), along, declaration);
         let besides = letter.map(|letter| Letter {
             besides: true,
             ..letter
         });
-        self.reading.letters.customs.named_only.insert(exact);
         self.reading.letters.letters.extend(besides);
     }
 
@@ -170,6 +213,30 @@ impl Builder<'_> {
         let known = atoms.find(&key);
         known.is_some_and(|letter| atoms.atom(letter).nature != Nature::Unknown)
     }
+}
+
+/// Letters that with the mark of a vector are unit vectors by custom.
+const UNIT_VECTORS: [&str; 4] = ["i", "j", "k", "e"];
+
+/// Whether a letter that is called as an axis can be nothing but the unit vector along it: by its hat, or by custom.
+fn is_unit_vector(letter: &Node) -> bool {
+    match &letter.kind {
+        Kind::Symbol(symbol) => {
+            let custom = UNIT_VECTORS.contains(&symbol.name.as_str());
+            symbol.style.hat || symbol.style.vector && custom
+        }
+        _ => false,
+    }
+}
+
+/// The writings of all symbols of a formula that have the mark of a vector.
+fn marked_parts(node: &Node) -> Vec<String> {
+    let own = match &node.kind {
+        Kind::Symbol(symbol) if symbol.style.vector || symbol.style.hat => Some(spelled(node)),
+        _ => None,
+    };
+    let parts = node.children().flat_map(marked_parts);
+    own.into_iter().chain(parts).collect()
 }
 
 /// The writings that a formula may have for the unit vector along an axis: as it is named, or with the mark of a vector.

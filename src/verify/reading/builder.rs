@@ -83,6 +83,7 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
     builder.place_contacts();
     builder.name_values_at_instants(&conditional);
     let bounds = builder.read_bounds(&always);
+    builder.name_axes_in_formulas();
     builder.read_letters();
     builder.step_functions();
     builder.hold_told_places();

@@ -208,11 +208,10 @@ impl Builder<'_> {
         let letter = letters.first().map(|letter| (*letter).clone());
         // Another sentence may name the force at this point.
         match (self.loads_on(listed.body, at, lasting).as_slice(), &letter) {
-            ([named], None) => {
-                listed.loads.push(named.clone());
+            (named @ [_, ..], None) => {
+                listed.loads.extend_from_slice(named);
                 return Some(());
             }
-            ([_, ..], None) => return None,
             _ => {}
         }
         match &listed.open {

@@ -1,0 +1,372 @@
+//! What acts on what, as one clause for each load: "At C the floor acts on the wheel with the normal force `$N$` along y and
+//! the friction `$F$` along `$-x$`" as "`$N$` is the normal force of the floor on the wheel at C along y", and so on.
+
+use super::lexicon::{Class, Lexicon};
+use super::reader::ARTICLES;
+use super::rewrite::put_in;
+use super::words::{Kind, Token};
+
+/// Verbs of what loads another thing.
+const ACTS: [&str; 16] = [
+    "acts",
+    "act",
+    "exerts",
+    "exert",
+    "applies",
+    "apply",
+    "pushes",
+    "push",
+    "pulls",
+    "pull",
+    "presses",
+    "press",
+    "drives",
+    "drive",
+    "transmits",
+    "transmit",
+];
+
+/// The same of what is loaded.
+const ACTED_ON: [&str; 5] = ["pulled", "pushed", "pressed", "driven", "loaded"];
+
+/// Words at which the name of a thing or a direction ends.
+const ENDS: [&str; 14] = [
+    "on", "upon", "against", "to", "onto", "with", "at", "along", "in", "about", "and", "by",
+    "from", "whose",
+];
+
+/// Words before what is loaded.
+const UPON: [&str; 5] = ["on", "upon", "against", "to", "onto"];
+
+/// A load with its letter: what it is, where it acts, and along what; or with the letters of its components.
+struct Load<'t> {
+    noun: &'t [Token],
+    letter: &'t [Token],
+    at: &'t [Token],
+    along: Vec<Token>,
+    components: bool,
+}
+
+/// What one clause says.
+#[derive(Default)]
+struct Acting<'t> {
+    agent: &'t [Token],
+    body: &'t [Token],
+    at: &'t [Token],
+    along: Vec<Token>,
+    loads: Vec<Load<'t>>,
+}
+
+/// The clauses of a sentence that says with what loads things act on others.
+pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let reader = Reader {
+        tokens,
+        words,
+        lexicon,
+    };
+    let mut acting = Acting::default();
+    let mut at = 0;
+    if reader.word(at) == "at" {
+        let (place, behind) = reader.name(at + 1, true)?;
+        acting.at = place;
+        at = behind + usize::from(reader.is(behind, Kind::Comma));
+    }
+    let mut clauses = vec![];
+    loop {
+        let (behind, elliptic) = reader.clause(at, &mut acting)?;
+        if elliptic && clauses.is_empty() {
+            return None;
+        }
+        if acting.loads.is_empty() || acting.body.is_empty() {
+            return None;
+        }
+        clauses.extend(acting.clauses(&tokens[0]));
+        if behind == tokens.len() {
+            return Some(clauses);
+        }
+        at = reader.joint(behind)?;
+        acting = Acting {
+            body: acting.body,
+            ..Acting::default()
+        };
+    }
+}
+
+/// The words of a sentence.
+struct Reader<'t> {
+    tokens: &'t [Token],
+    words: Vec<&'t str>,
+    lexicon: &'t Lexicon,
+}
+
+impl<'t> Reader<'t> {
+    fn word(&self, at: usize) -> &'t str {
+        match self.tokens.get(at) {
+            Some(token) if token.kind == Kind::Word => self.words[at],
+            _ => "",
+        }
+    }
+
+    fn is(&self, at: usize, kind: Kind) -> bool {
+        self.tokens.get(at).is_some_and(|token| token.kind == kind)
+    }
+
+    /// Where the clause behind a joint begins.
+    fn joint(&self, at: usize) -> Option<usize> {
+        let comma = usize::from(self.is(at, Kind::Comma));
+        let and = usize::from(self.word(at + comma) == "and");
+        (comma + and > 0).then_some(at + comma + and)
+    }
+
+    /// What is named from a place on, up to the next preposition; one word where a comma may be missing behind it.
+    fn name(&self, at: usize, short: bool) -> Option<(&'t [Token], usize)> {
+        let ends = |i: &usize| {
+            let sign = self.is(*i, Kind::Comma) || self.is(*i, Kind::Semicolon);
+            let word = ENDS.contains(&self.word(*i)) || ACTS.contains(&self.word(*i));
+            sign || word || short && *i > at && ARTICLES.contains(&self.word(*i))
+        };
+        let end = (at..self.tokens.len())
+            .find(ends)
+            .unwrap_or(self.tokens.len());
+        (end > at).then(|| (&self.tokens[at..end], end))
+    }
+
+    /// "the normal force `$N$` along y": the load, and where it ends.
+    fn load(&self, at: usize) -> Option<(Load<'t>, usize)> {
+        let start = at + usize::from(ARTICLES.contains(&self.word(at)));
+        if let Some(load) = self.by_components(start) {
+            return Some(load);
+        }
+        let letter =
+            (start..self.tokens.len().min(start + 6)).find(|&i| self.is(i, Kind::Formula))?;
+        let noun = self.load_noun(start, letter)?;
+        let mut load = Load {
+            noun: &self.tokens[noun..letter],
+            letter: &self.tokens[letter..=letter],
+            at: &[],
+            along: vec![],
+            components: false,
+        };
+        let mut at = letter + 1;
+        while let Some(behind) = self.place_of(at, &mut load) {
+            at = behind;
+        }
+        Some((load, at))
+    }
+
+    /// "force whose components along x and y are `$X$` and `$Y$`", where the clause ends behind it.
+    fn by_components(&self, start: usize) -> Option<(Load<'t>, usize)> {
+        let whose = (start + 1..self.tokens.len()).find(|&i| self.word(i) == "whose")?;
+        let noun = self.load_noun(start, whose)?;
+        let said = [1, 2].map(|i| self.word(whose + i)) == ["components", "along"];
+        let are = (whose..self.tokens.len()).find(|&i| self.word(i) == "are" && said)?;
+        let respectively = (are..self.tokens.len()).find(|&i| self.word(i) == "respectively");
+        let end = respectively.map_or(self.tokens.len(), |i| {
+            i - usize::from(self.is(i - 1, Kind::Comma))
+        });
+        let load = Load {
+            noun: &self.tokens[noun..whose],
+            letter: &self.tokens[are + 1..end],
+            at: &[],
+            along: self.tokens[whose + 2..are].to_vec(),
+            components: true,
+        };
+        let last = respectively.map_or(end, |i| i + 1);
+        (last == self.tokens.len() && end > are + 1).then_some((load, last))
+    }
+
+    /// Where the noun of a load begins that ends at a place: adjectives that the direction tells again stand before it.
+    fn load_noun(&self, start: usize, end: usize) -> Option<usize> {
+        let idle = |i: usize| matches!(self.word(i), "horizontal" | "vertical");
+        let first = (start..end).find(|&i| !idle(i))?;
+        (first..end).find_map(|at| {
+            let found = self.lexicon.find(&self.words[at..end], &[Class::Noun])?;
+            (found.entry.is_load() && at + found.length == end && at == first).then_some(first)
+        })
+    }
+
+    /// "at P", "along x", "in the direction of x": what stands behind the letter of a load.
+    fn place_of(&self, at: usize, load: &mut Load<'t>) -> Option<usize> {
+        if self.word(at) == "at" && load.at.is_empty() {
+            let (place, behind) = self.name(at + 1, false)?;
+            load.at = place;
+            return Some(behind);
+        }
+        let (along, behind) = self.direction(at)?;
+        load.along.is_empty().then(|| load.along = along)?;
+        Some(behind)
+    }
+
+    /// "along x", "in the direction of x", "about z".
+    fn direction(&self, at: usize) -> Option<(Vec<Token>, usize)> {
+        let directed = usize::from(self.is(at, Kind::Comma) && self.word(at + 1) == "directed") * 2;
+        let at = at + directed + usize::from(self.word(at) == "directed");
+        let (skipped, word) = match self.word(at) {
+            "in" if [1, 2, 3].map(|i| self.word(at + i)) == ["the", "direction", "of"] => {
+                (4, "along")
+            }
+            "along" => (1, "along"),
+            "about" => (1, "about"),
+            _ => return None,
+        };
+        let (direction, behind) = self.name(at + skipped, false)?;
+        let word = put_in(Kind::Word, word, &self.tokens[at]);
+        Some(([&[word], direction].concat(), behind))
+    }
+
+    /// "with the force `$F$` along x and the friction `$R$` along y": all loads of a list, and where it ends.
+    fn loads(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
+        let (load, mut behind) = self.load(at)?;
+        acting.loads.push(load);
+        while let Some(next) = self.joint(behind) {
+            let next = next + usize::from(self.word(next) == "with");
+            let Some((load, after)) = self.load(next) else {
+                break;
+            };
+            // "and the force F acts …" begins another clause
+            if matches!(self.word(after), "acts" | "is") {
+                break;
+            }
+            acting.loads.push(load);
+            behind = after;
+        }
+        Some(behind)
+    }
+
+    /// One clause, where it ends, and whether its verb is left out.
+    fn clause(&self, at: usize, acting: &mut Acting<'t>) -> Option<(usize, bool)> {
+        if self.load(at).is_some() {
+            return Some((self.of_loads(at, acting)?, false));
+        }
+        let (agent, verb) = self.name(at, false)?;
+        self.is_thing(agent).then_some(())?;
+        if self.word(verb) == "with" {
+            acting.agent = agent;
+            return Some((self.loads(verb + 1, acting)?, true));
+        }
+        if let Some(acted) = self.acted_on(agent) {
+            acting.body = &agent[..acted];
+            let mut at = verb;
+            while let Some(behind) = self.part(at, acting) {
+                at = behind;
+            }
+            (self.word(at) == "by").then_some(())?;
+            return Some((self.loads(at + 1, acting)?, false));
+        }
+        ACTS.contains(&self.word(verb)).then_some(())?;
+        acting.agent = agent;
+        let mut at = verb + 1;
+        while let Some(behind) = self.part(at, acting) {
+            at = behind;
+        }
+        Some((at, false))
+    }
+
+    /// "The force `$F$` along x and the force `$R$` along y act on the rod at A."
+    fn of_loads(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
+        let verb = self.loads(at, acting)?;
+        // One that acts where its verb says is a clause of its own.
+        let apart = |load: &Load<'_>| !load.along.is_empty() || !load.at.is_empty();
+        let several = acting.loads.len() > 1 || acting.loads.iter().any(apart);
+        (several && matches!(self.word(verb), "act" | "acts")).then_some(())?;
+        let mut at = verb + 1;
+        while let Some(behind) = self.part(at, acting) {
+            at = behind;
+        }
+        Some(at)
+    }
+
+    /// Whether words name a thing: no list, no load, nothing in a formula but its letter.
+    fn is_thing(&self, agent: &[Token]) -> bool {
+        let words: Vec<&str> = agent.iter().map(|t| t.lower.as_str()).collect();
+        let load = |at: usize| {
+            let noun = self.lexicon.find(&words[at..], &[Class::Noun]);
+            noun.is_some_and(|noun| noun.entry.is_load())
+        };
+        let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+        !(0..words.len()).any(load) && !agent.iter().any(formula) && words.len() <= 6
+    }
+
+    /// Where the words "is pulled" begin at the end of some words.
+    fn acted_on(&self, words: &[Token]) -> Option<usize> {
+        let [body @ .., is, acted] = words else {
+            return None;
+        };
+        let passive = matches!(is.lower.as_str(), "is" | "are");
+        let acted = ACTED_ON.contains(&acted.lower.as_str());
+        (passive && acted && !body.is_empty()).then_some(body.len())
+    }
+
+    /// The next part behind the verb: on what, at what point, along what, with what.
+    fn part(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
+        let word = self.word(at);
+        if UPON.contains(&word) && acting.body.is_empty() {
+            let (body, behind) = self.name(at + 1, true)?;
+            acting.body = body;
+            return self.is_thing(body).then_some(behind);
+        }
+        if word == "at" && acting.at.is_empty() {
+            let (place, behind) = self.name(at + 1, false)?;
+            acting.at = place;
+            return Some(behind);
+        }
+        if word == "with" && acting.loads.is_empty() {
+            return self.loads(at + 1, acting);
+        }
+        if let Some((along, behind)) = self.direction(at).filter(|_| acting.along.is_empty()) {
+            acting.along = along;
+            return Some(behind);
+        }
+        if acting.loads.is_empty() && self.load(at).is_some() {
+            return self.loads(at, acting);
+        }
+        let (body, behind) = self.name(at, false).filter(|_| acting.body.is_empty())?;
+        let verb = !UPON.contains(&self.word(at)) && ARTICLES.contains(&self.word(at));
+        acting.body = body;
+        (verb && self.is_thing(body)).then_some(behind)
+    }
+}
+
+impl Acting<'_> {
+    /// "`$N$` is the normal force of the floor on the wheel at C along y;" for each load, the last one without the sign.
+    fn clauses(&self, near: &Token) -> Vec<Token> {
+        let word = |text: &str| put_in(Kind::Word, text, near);
+        let before = |text: &str, tokens: &[Token]| match tokens {
+            [] => vec![],
+            tokens => [&[word(text)], tokens].concat(),
+        };
+        let each = self.loads.iter().map(|load| {
+            let at = if load.at.is_empty() { self.at } else { load.at };
+            let along = if load.along.is_empty() {
+                &self.along
+            } else {
+                &load.along
+            };
+            let is = match load.components {
+                true => ["are", "the", "components"].map(word).to_vec(),
+                false => ["is", "the"].map(word).to_vec(),
+            };
+            let (components, along) = match load.components {
+                true => (
+                    [along.as_slice(), &["of", "the"].map(word)].concat(),
+                    vec![],
+                ),
+                false => (vec![], along.clone()),
+            };
+            [
+                load.letter,
+                &is,
+                &components,
+                load.noun,
+                &before("of", self.agent),
+                &before("on", self.body),
+                &before("at", at),
+                &along,
+                &[put_in(Kind::Semicolon, "", near)],
+            ]
+            .concat()
+        });
+        each.flatten().collect()
+    }
+}
