@@ -176,8 +176,8 @@ impl<'k> Paper<'k> {
         let spans = spans(&each, documents.len());
         let several = documents.len() > 1;
         Self {
-            lines: lines(&each, &documents, several),
             questions: questions(&each),
+            lines: lines(each, &documents, several),
             documents,
             written,
             spans,
@@ -306,48 +306,42 @@ fn spans(each: &[Checked], documents: usize) -> Vec<Vec<Span>> {
     (0..documents).map(of).collect()
 }
 
-fn lines(each: &[Checked], documents: &[Document], several: bool) -> Vec<PaperLine> {
+fn lines(mut each: Vec<Checked>, documents: &[Document], several: bool) -> Vec<PaperLine> {
     let mut lines: Vec<PaperLine> = vec![];
     for (document, text) in documents.iter().enumerate() {
-        let Some(first) = each
-            .first()
-            .and_then(|checked| checked.reports.get(document))
-        else {
+        let mut reports = each.iter_mut().map(|checked| {
+            let report = checked.reports.get_mut(document);
+            report.map_or(vec![], |report| std::mem::take(&mut report.findings))
+        });
+        let Some(first) = reports.next() else {
             continue;
         };
-        for (number, finding) in first.findings.iter().enumerate() {
-            let found: Vec<Finding> = each
-                .iter()
-                .map(|checked| {
-                    checked.reports[document]
-                        .findings
-                        .get(number)
-                        .unwrap_or(finding)
-                        .clone()
-                })
+        let mut later: Vec<_> = reports.map(Vec::into_iter).collect();
+        for (number, finding) in first.into_iter().enumerate() {
+            let (cell, source_line) = (finding.cell, finding.source_line);
+            let others = later.iter_mut().map(Iterator::next);
+            let others: Vec<Finding> = others
+                .map(|found| found.unwrap_or_else(|| finding.clone()))
                 .collect();
-            let worth = each.iter().zip(&found).map(|(checked, found)| {
-                let claimed = checked.claimed.as_ref();
-                worth(
-                    found,
-                    claimed.and_then(|reports| reports[document].findings.get(number)),
-                )
+            let found: Vec<Finding> = std::iter::once(finding).chain(others).collect();
+            let claims = each.iter().map(|checked| {
+                let reports = checked.claimed.as_ref()?;
+                reports[document].findings.get(number)
             });
+            let proved = |claim: &Finding| matches!(claim.verdict, Verdict::Proved(_));
             lines.push(PaperLine {
                 document,
                 number,
                 place: Place {
                     file: several.then(|| text.source.name.clone()),
-                    cell: finding.cell,
-                    source_line: finding.source_line,
+                    cell,
+                    source_line,
                 },
-                worth: worth.collect(),
+                worth: (claims.clone().zip(&found))
+                    .map(|(claim, found)| worth(found, claim))
+                    .collect(),
+                follows_from_key: claims.flatten().any(proved),
                 found,
-                follows_from_key: each.iter().any(|checked| {
-                    let claimed = checked.claimed.as_ref();
-                    let found = claimed.and_then(|reports| reports[document].findings.get(number));
-                    found.is_some_and(|f| matches!(f.verdict, Verdict::Proved(_)))
-                }),
             });
         }
     }

@@ -188,9 +188,13 @@ impl<'t, 'a> Scan<'t, 'a> {
         let idle = |t: &Token<'_>| {
             matches!(t.kind, Lexeme::Space(_) | Lexeme::Ampersand) || is_sign(t.kind)
         };
+        let is_open = |t: &Token<'_>| t.kind == Lexeme::RightNull;
+        let Some(first) = self.tokens.iter().position(is_open) else {
+            return;
+        };
         let mut closed = None;
         let mut row = false;
-        for (i, token) in self.tokens.iter().enumerate() {
+        for (i, token) in self.tokens.iter().enumerate().skip(first) {
             match token.kind {
                 Lexeme::RightNull => (closed, row) = (Some(i), false),
                 Lexeme::Row if closed.is_some() => row = true,

@@ -1,9 +1,13 @@
 //! The words of the language, read from `lexicon.txt`.
 
-use super::forms::{alternatives, in_plural, on_first, parted, with_ed, with_s};
+use super::forms::{
+    first_word, forms_of, in_lower_case, in_plural, on_first, with_ed, with_irregular, with_s,
+};
 use super::statement::Slot;
 use super::traits::{Trait, Traits};
-use std::collections::BTreeMap;
+use foldhash::HashMap;
+use std::borrow::Cow;
+use std::cmp::Reverse;
 use std::sync::LazyLock;
 
 /// The words that come with the crate.
@@ -104,7 +108,10 @@ impl Entry {
 /// A way to write an entry.
 #[derive(Clone, Debug)]
 struct Form {
-    words: Vec<String>,
+    /// Its words in lower case, with a space between them.
+    text: Cow<'static, str>,
+    /// How many words it has.
+    length: usize,
     entry: usize,
     inflection: Inflection,
 }
@@ -124,23 +131,26 @@ pub(crate) struct Found<'a> {
 #[derive(Clone, Debug)]
 pub struct Lexicon {
     entries: Vec<Entry>,
-    forms: BTreeMap<String, Vec<Form>>,
-    groups: BTreeMap<&'static str, &'static str>,
+    /// The forms by their first words, those of more words first.
+    forms: HashMap<Cow<'static, str>, Vec<Form>>,
+    /// What the prepositions that were read fill, by their names with hyphens.
+    prepositions: HashMap<String, Option<Slot>>,
+    groups: HashMap<&'static str, Vec<(&'static str, Slot)>>,
 }
 
 impl Default for Lexicon {
     fn default() -> Self {
         let mut lexicon = Self {
             entries: vec![],
-            forms: BTreeMap::new(),
-            groups: BTreeMap::new(),
+            forms: HashMap::default(),
+            prepositions: HashMap::default(),
+            groups: HashMap::default(),
         };
         for line in WORDS.lines() {
             lexicon.add(line);
         }
-        for forms in lexicon.forms.values_mut() {
-            forms.sort_by_key(|form| std::cmp::Reverse(form.words.len()));
-        }
+        let all = lexicon.forms.values_mut();
+        all.for_each(|forms| forms.sort_by_key(|form| Reverse(form.length)));
         lexicon
     }
 }
@@ -163,9 +173,12 @@ impl Lexicon {
         let its = forms.filter(|f| {
             f.inflection == Inflection::Base && std::ptr::eq(&self.entries[f.entry], entry)
         });
-        let mut names: Vec<String> = its.map(|form| form.words.join(" ")).collect();
-        names.sort_by_key(|name| !name.eq_ignore_ascii_case(entry.name));
-        names
+        let mut its: Vec<&Form> = its.collect();
+        its.sort_by_key(|form| {
+            let other = !form.text.eq_ignore_ascii_case(entry.name);
+            (other, first_word(&form.text), Reverse(form.length))
+        });
+        its.into_iter().map(|form| form.text.to_string()).collect()
     }
 
     /// The entry with this first form.
@@ -179,12 +192,12 @@ impl Lexicon {
         let forms = self.forms.get(*words.first()?)?;
         let fits = |form: &&Form| {
             classes.contains(&self.entries[form.entry].class)
-                && form.words.len() <= words.len()
-                && form.words.iter().zip(words).all(|(a, b)| a == b)
+                && form.length <= words.len()
+                && (form.length == 1 || form.text.split(' ').zip(words).all(|(a, b)| a == *b))
         };
         forms.iter().find(fits).map(|form| Found {
             entry: &self.entries[form.entry],
-            length: form.words.len(),
+            length: form.length,
             inflection: form.inflection,
         })
     }
@@ -214,14 +227,14 @@ impl Lexicon {
         let forms = self.forms.values().flatten();
         let fitting = forms.filter(|f| classes.contains(&self.entries[f.entry].class));
         let near = fitting.filter_map(|form| {
-            let first = form.words.first()?;
+            let first = first_word(&form.text);
             if 3 * first.len().abs_diff(word.len()) > word.len() {
                 return None;
             }
             let apart = strsim::osa_distance(first, word);
-            (apart * 3 <= word.chars().count()).then_some((apart, form.words.len(), &form.words))
+            (apart * 3 <= word.chars().count()).then_some((apart, form.length, &form.text))
         });
-        near.min().map(|(_, _, words)| words.join(" "))
+        near.min().map(|(_, _, text)| text.to_string())
     }
 
     /// Takes in a line of the file. Lines that say nothing are left out; a test sees to it that the file has none.
@@ -236,7 +249,7 @@ impl Lexicon {
         let plural = kind == "nouns" || traits.has(Trait::Many);
         let class = match kind {
             "group" => {
-                self.groups.insert(forms.trim(), slots.trim());
+                self.groups.insert(forms.trim(), self.slots(slots));
                 return;
             }
             "where" => Class::Where,
@@ -261,6 +274,10 @@ impl Lexicon {
                 .unwrap_or_default(),
             _ => self.slots(slots),
         };
+        if class == Class::Preposition {
+            let own = self.prepositions.entry(first.replace(' ', "-"));
+            own.or_insert(slots.first().map(|(_, slot)| *slot));
+        }
         let entry = Entry {
             class,
             name: first,
@@ -271,47 +288,68 @@ impl Lexicon {
             traits,
         };
         self.entries.push(entry);
-        for form in parted(forms).into_iter().flat_map(alternatives) {
-            self.add_form(&form);
+        for form in forms_of(forms) {
+            self.add_form(form);
+        }
+    }
+
+    fn add_form(&mut self, form: Cow<'static, str>) {
+        match form {
+            Cow::Borrowed(form) => {
+                let (base, irregular) = with_irregular(form);
+                self.add_inflected(base.into(), irregular);
+            }
+            Cow::Owned(form) => {
+                let (base, irregular) = with_irregular(&form);
+                self.add_inflected(base.to_owned().into(), irregular);
+            }
         }
     }
 
     /// Takes in a form of the last entry with its inflections.
-    fn add_form(&mut self, form: &str) {
-        let entry = self.entries.len() - 1;
-        let mut parts = form.split(',').map(str::trim);
-        let base = parts.next().unwrap_or_default();
-        let irregular = parts.next();
-        self.insert(base, Inflection::Base);
-        let last = &mut self.entries[entry];
-        match last.class {
+    fn add_inflected(&mut self, base: Cow<'static, str>, irregular: Option<&str>) {
+        let Some(last) = self.entries.last_mut() else {
+            return;
+        };
+        let or =
+            |regular: fn(&str) -> String| irregular.map_or_else(|| regular(&base), str::to_owned);
+        let (ending, participle) = match last.class {
             Class::Noun | Class::Place | Class::Thing if !last.plural => {
-                let ending = irregular.map_or_else(|| in_plural(base), str::to_owned);
-                if last.ending.is_empty() {
-                    last.ending.clone_from(&ending);
-                }
-                self.insert(&ending, Inflection::Ending);
+                (Some(or(in_plural)), None)
             }
-            Class::Verb | Class::Passive => {
-                let ending = on_first(base, with_s);
-                let participle = irregular.map_or_else(|| on_first(base, with_ed), str::to_owned);
-                if last.ending.is_empty() {
-                    last.ending.clone_from(&ending);
-                    last.participle.clone_from(&participle);
-                }
-                self.insert(&ending, Inflection::Ending);
-                self.insert(&participle, Inflection::Participle);
-            }
-            _ => {}
+            Class::Verb | Class::Passive => (
+                Some(on_first(&base, with_s)),
+                Some(or(|base| on_first(base, with_ed))),
+            ),
+            _ => (None, None),
+        };
+        if last.ending.is_empty() {
+            last.ending = ending.clone().unwrap_or_default();
+            last.participle = participle.clone().unwrap_or_default();
+        }
+        self.insert(base, Inflection::Base);
+        if let Some(ending) = ending {
+            self.insert(ending.into(), Inflection::Ending);
+        }
+        if let Some(participle) = participle {
+            self.insert(participle.into(), Inflection::Participle);
         }
     }
 
-    fn insert(&mut self, form: &str, inflection: Inflection) {
-        let words: Vec<String> = form.split_whitespace().map(str::to_lowercase).collect();
-        let Some(first) = words.first() else { return };
+    fn insert(&mut self, form: Cow<'static, str>, inflection: Inflection) {
+        let text = in_lower_case(form);
+        if text.is_empty() {
+            return;
+        }
+        let length = 1 + text.bytes().filter(|b| *b == b' ').count();
+        let first = match &text {
+            Cow::Borrowed(text) => Cow::Borrowed(first_word(text)),
+            Cow::Owned(text) => Cow::Owned(first_word(text).to_owned()),
+        };
         let entry = self.entries.len() - 1;
-        self.forms.entry(first.clone()).or_default().push(Form {
-            words,
+        self.forms.entry(first).or_default().push(Form {
+            text,
+            length,
             entry,
             inflection,
         });
@@ -322,20 +360,12 @@ impl Lexicon {
         let mut slots = vec![];
         for word in text.split_whitespace() {
             if let Some(group) = word.strip_prefix('@') {
-                slots.extend(
-                    self.groups
-                        .get(group)
-                        .map_or(vec![], |text| self.slots(text)),
-                );
+                slots.extend(self.groups.get(group).into_iter().flatten());
                 continue;
             }
             let (prep, filled) = word.split_once('=').unwrap_or((word, word));
-            let same = |e: &&Entry| {
-                e.class == Class::Preposition && e.name.split(' ').eq(filled.split('-'))
-            };
-            let own = || self.entries.iter().find(same)?.slots.first();
-            let filled = slot(filled).or_else(|| own().map(|s| s.1));
-            slots.extend(filled.map(|slot| (prep, slot)));
+            let own = || self.prepositions.get(filled).copied().flatten();
+            slots.extend(slot(filled).or_else(own).map(|slot| (prep, slot)));
         }
         slots
     }

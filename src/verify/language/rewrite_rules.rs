@@ -2,7 +2,7 @@
 
 use super::words::{Kind, Token};
 use foldhash::HashMap;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
 /// The rules that come with the crate.
 pub(super) const RULES: &str = include_str!("rewrites.txt");
@@ -38,54 +38,96 @@ pub(super) struct Rule {
     plain: &'static str,
     /// Whether it is said of a whole clause, and not of words inside of one.
     pub(super) whole: bool,
-    /// Whether it comes before the grammar, which takes the words for something else.
-    pub(super) first: bool,
-    /// The words of which one must stand in the sentence, for each place of the pattern that asks for some: by their numbers.
-    asks_for: Vec<Vec<usize>>,
 }
 
-/// The rules, in the order in which they are tried, and the words that they ask for by their numbers.
+/// A rule as it is written. Few are tried, and each is read when it first is.
+struct Written {
+    line: &'static str,
+    rule: OnceLock<Option<Rule>>,
+}
+
+/// Rules, in the order in which they are tried.
 pub(super) struct Rules {
-    all: Vec<Rule>,
-    numbers: HashMap<&'static str, usize>,
+    all: Vec<Written>,
+    /// Their numbers by the words of which one must stand in the sentence.
+    asking: HashMap<&'static str, Vec<usize>>,
+    /// The numbers of those that ask for no word.
+    wordless: Vec<usize>,
 }
 
-pub(super) fn rules() -> &'static Rules {
-    static READ: LazyLock<Rules> = LazyLock::new(|| {
-        let (mut all, mut numbers) = (vec![], HashMap::default());
-        for mut rule in RULES.lines().filter_map(rule) {
-            for piece in &rule.pattern {
-                let Piece::Words(words) = piece else { continue };
-                let mut alternatives = vec![];
-                for word in words {
-                    let next = numbers.len();
-                    alternatives.push(*numbers.entry(*word).or_insert(next));
-                }
-                rule.asks_for.push(alternatives);
-            }
-            all.push(rule);
-        }
-        Rules { all, numbers }
-    });
-    &READ
-}
+/// All rules.
+pub(super) static ALL: LazyLock<Rules> = LazyLock::new(|| Rules::of(RULES.lines()));
+
+/// Those that come before the grammar, which takes the words for something else.
+pub(super) static FIRST: LazyLock<Rules> =
+    LazyLock::new(|| Rules::of(RULES.lines().filter(|line| line.starts_with('!'))));
 
 impl Rules {
-    /// Those of which all words stand in a sentence.
-    pub(super) fn fitting(&self, tokens: &[Token]) -> impl Iterator<Item = &Rule> {
-        let mut stands = vec![false; self.numbers.len()];
-        for token in tokens {
-            let number = said_word(token).and_then(|word| self.numbers.get(word.as_str()));
-            if let Some(&number) = number {
-                stands[number] = true;
+    fn of(lines: impl Iterator<Item = &'static str>) -> Self {
+        let mut rules = Self {
+            all: vec![],
+            asking: HashMap::default(),
+            wordless: vec![],
+        };
+        for line in lines.filter(|line| !line.starts_with('#')) {
+            // No pattern has a sign of equality in it.
+            let Some((pattern, _)) = line.split_once('=') else {
+                continue;
+            };
+            let number = rules.all.len();
+            rules.all.push(Written {
+                line,
+                rule: OnceLock::new(),
+            });
+            match rarest(pattern) {
+                Some(words) => words
+                    .split('|')
+                    .for_each(|word| rules.asking.entry(word).or_default().push(number)),
+                None => rules.wordless.push(number),
             }
         }
-        let all = self.all.iter();
-        all.filter(move |rule| {
-            let mut asked = rule.asks_for.iter();
-            asked.all(|words| words.iter().any(|&number| stands[number]))
+        rules
+    }
+
+    /// Those of which all words stand in a sentence.
+    pub(super) fn fitting(&self, tokens: &[Token]) -> impl Iterator<Item = &Rule> {
+        let words = tokens.iter().filter_map(said_word);
+        let asking = words.filter_map(|word| self.asking.get(word.as_str()));
+        let mut numbers: Vec<usize> = asking.flatten().chain(&self.wordless).copied().collect();
+        numbers.sort_unstable();
+        numbers.dedup();
+        let rules = numbers.into_iter().filter_map(|at| self.all[at].rule());
+        rules.filter(|rule| {
+            rule.pattern.iter().all(|piece| match piece {
+                Piece::Words(words) => tokens.iter().any(|token| is_one_of(token, words)),
+                _ => true,
+            })
         })
     }
+}
+
+impl Written {
+    fn rule(&self) -> Option<&Rule> {
+        self.rule.get_or_init(|| rule(self.line)).as_ref()
+    }
+}
+
+/// The words of a pattern, one of which must stand in the sentence, that are likely to stand in the fewest: the longest.
+fn rarest(pattern: &'static str) -> Option<&'static str> {
+    let words = pattern
+        .trim_start_matches(['!', '~', ' '])
+        .split(' ')
+        .filter(|text| asks_for_words(text));
+    let shortest = |words: &&str| words.split('|').map(str::len).min();
+    words.max_by_key(shortest)
+}
+
+/// Whether a piece of a pattern is one of some words.
+fn asks_for_words(text: &str) -> bool {
+    !matches!(
+        text.as_bytes(),
+        [] | [b',' | b';' | b'(' | b')' | b'A'..=b'Z'] | [b'[', ..] | [.., b'?']
+    )
 }
 
 impl Rule {
@@ -101,16 +143,13 @@ pub(super) fn rule(line: &'static str) -> Option<Rule> {
     if line.starts_with('#') {
         return None;
     }
-    let before = line.strip_prefix('!');
-    let line = before.unwrap_or(line).trim_start();
+    let line = line.strip_prefix('!').unwrap_or(line).trim_start();
     let inside = line.strip_prefix('~');
     let (pattern, plain) = inside.unwrap_or(line).split_once("=>")?;
     Some(Rule {
         whole: inside.is_none(),
-        first: before.is_some(),
         pattern: pieces(pattern),
         plain,
-        asks_for: vec![],
     })
 }
 
@@ -150,4 +189,9 @@ pub(super) fn said_word(token: &Token) -> Option<&String> {
         Kind::Number => Some(&token.text),
         _ => None,
     }
+}
+
+/// Whether a word, a number or a sign that may be spoken of is one of some words.
+pub(super) fn is_one_of(token: &Token, words: &[&str]) -> bool {
+    said_word(token).is_some_and(|said| words.contains(&said.as_str()))
 }

@@ -146,6 +146,7 @@ impl Judge<'_> {
 
     /// Up to where a sum runs on a link, if that is another letter than the document writes first.
     fn other_bound(&self, link: &Link<'_>) -> Option<String> {
+        self.written.bounds.first_key_value()?;
         let nodes = link.sides().into_iter();
         let mut all = nodes.flat_map(bounds_in);
         let other =
@@ -403,7 +404,7 @@ impl Judge<'_> {
         let mut new = letters.filter(|letter| {
             self.reading.shapes.contains_key(letter) || !self.known.shapes.contains_key(letter)
         });
-        new.any(|letter| unknown.contains(&letter))
+        !unknown.is_empty() && new.any(|letter| unknown.contains(&letter))
     }
 }
 

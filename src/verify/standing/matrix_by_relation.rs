@@ -27,8 +27,11 @@ impl Judge<'_> {
     pub(super) fn settled_by_relation(&mut self, link: &Link<'_>) -> Option<Sides> {
         let [left, right] = link.sides();
         let ways = [(left, right), (right, left)];
-        ways.into_iter()
-            .find_map(|(side, other)| self.settled_by(&applied(side)?, other))
+        ways.into_iter().find_map(|(side, other)| {
+            let is_told = |letter: &Node| self.known.is_told(letter, &self.reading.letters);
+            let applied = applied(side, is_told)?;
+            self.settled_by(&applied, other)
+        })
     }
 
     fn settled_by(&mut self, applied: &Applied<'_>, other: &Node) -> Option<Sides> {
@@ -110,8 +113,8 @@ impl Judge<'_> {
     }
 }
 
-/// A side as a letter that is multiplied with a vector.
-fn applied(side: &Node) -> Option<Applied<'_>> {
+/// A side as a letter, of which nothing is told, that is multiplied with a vector.
+fn applied(side: &Node, is_told: impl Fn(&Node) -> bool) -> Option<Applied<'_>> {
     let Kind::Product(factors) = &side.kind else {
         return None;
     };
@@ -124,6 +127,9 @@ fn applied(side: &Node) -> Option<Applied<'_>> {
         Kind::Power(base, exponent) if exponent.is_minus_one() => (&**base, true),
         _ => (&factors[at].node, false),
     };
+    if is_told(letter) {
+        return None;
+    }
     let name = lone(letter)?;
     if DIFFERENTIALS.contains(&name.as_str()) {
         return None;

@@ -6,6 +6,7 @@ use crate::verify::standing::chains::Link;
 use crate::verify::term::applied::text_of_function;
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::value::{Trouble, Value};
+use std::collections::BTreeMap;
 
 /// Both sides of a link, and the letter that it settles if it could.
 pub(super) struct Both {
@@ -41,10 +42,12 @@ pub(super) fn both(lowering: &mut Lowering<'_>, link: &Link<'_>) -> Result<Both,
     let unknown_left = lowering.unknown.clone();
     let right = lowering.value(&link.right)?;
     let custom = lowering.custom();
-    let new = |l: &String| !lowering.known.shapes.contains_key(l);
-    let letter = lone(&link.left).filter(|l| unknown_left.contains_key(l) && new(l));
-    let other = lone(&link.right)
-        .filter(|l| lowering.unknown.contains_key(l) && letter.is_none() && new(l));
+    let new = |side: &Node, unknown: &BTreeMap<String, bool>| {
+        let lone = (!unknown.is_empty()).then(|| lone(side)).flatten();
+        lone.filter(|l| unknown.contains_key(l) && !lowering.known.shapes.contains_key(l))
+    };
+    let letter = new(&link.left, &unknown_left);
+    let other = new(&link.right, &lowering.unknown).filter(|_| letter.is_none());
     let alike = (left.rows, left.columns) == (right.rows, right.columns);
     match (letter, other) {
         (Some(name), _) => Ok(Both {

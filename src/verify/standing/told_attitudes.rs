@@ -5,13 +5,22 @@ use crate::verify::language::messages;
 use crate::verify::model::system::{FrameId, Turn};
 use crate::verify::standing::chains::Link;
 use crate::verify::standing::judge::Judge;
-use crate::verify::term::letters::{Meaning, loosely, spelled};
+use crate::verify::term::letters::{Letter, Meaning, loosely, spelled};
 use crate::verify::term::quantity::Quantity;
 
 impl Judge<'_> {
     /// Why a link is not denied that sets the matrix of a frame, or its rate, to a product of other matrices: where no sentence
     /// says how the frame turns, `T = T_1 T_2` may say it.
     pub(super) fn may_tell_attitude(&mut self, link: &Link<'_>) -> Option<String> {
+        let is_rotation = |letter: &Letter| {
+            matches!(
+                &letter.meaning,
+                Meaning::Quantity(Quantity::Rotation { .. })
+            )
+        };
+        if !self.reading.letters.letters.iter().any(is_rotation) {
+            return None;
+        }
         let [left, right] = link.sides();
         [(left, right), (right, left)]
             .into_iter()

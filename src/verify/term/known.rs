@@ -138,6 +138,12 @@ impl Known {
         }
     }
 
+    /// Whether a node is a symbol whose value is known, with no new letter in it, and the same on every line.
+    pub(crate) fn is_told(&self, node: &Node, letters: &Letters) -> bool {
+        let known = |symbol| self.symbols.get(symbol).is_some() && letters.is_uniform();
+        matches!(&node.kind, Kind::Symbol(symbol) if known(symbol))
+    }
+
     /// Works out all letters that stand for quantities.
     pub(crate) fn work_out(&mut self, letters: &Letters, system: &mut System) {
         self.enter(system.dimensions(), letters);
