@@ -168,6 +168,7 @@ pub(crate) mod wants;
 mod weights;
 mod wholes_by_plurals;
 mod words;
+mod wound;
 mod written_signs;
 
 pub use declare::{read_declarations, read_sentence};

@@ -7,7 +7,7 @@ use super::kinds::name;
 use super::planar_axes::vertical;
 use super::reader::formula;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
-use super::unwound::{at_rest, is_at_rest, third_axis, winds};
+use super::wound::{at_rest, is_at_rest, third_axis, winds};
 use crate::notation::Macros;
 
 /// Letters of the axes of the frame at rest: the pulley turns about the second one, and the third one points up.
@@ -19,6 +19,9 @@ const AXES: [&str; 3] = [
 /// The letter of the angle by which the pulley has turned, and those of how far down things hang where it is zero.
 const ANGLE: &str = "\\vartheta_{\\mathrm{string}}";
 const DEPTHS: [&str; 2] = ["d_{\\mathrm{string}1}", "d_{\\mathrm{string}2}"];
+
+/// The name of the mass centre of the pulley.
+const CENTRE: &str = "pulley centre";
 
 /// The noun of the pull of a string.
 const TENSION: &str = "tension";
@@ -170,11 +173,43 @@ fn hanging(string: &Term, declarations: &[Declaration]) -> Option<Vec<(Term, Str
             _ => false,
         })
     };
-    let all = things.iter().map(|thing| {
-        let letter = tension_at(thing, string, things.len() == 1, declarations)?;
-        particle(thing).then(|| (thing.clone(), letter))
-    });
-    all.collect()
+    let only_hangs = |thing: &Term| {
+        !declarations
+            .iter()
+            .any(|d| is_held_otherwise(d, thing, string))
+    };
+    let all = things
+        .iter()
+        .filter(|thing| only_hangs(thing))
+        .map(|thing| {
+            let letter = tension_at(thing, string, things.len() == 1, declarations)?;
+            particle(thing).then(|| (thing.clone(), letter))
+        });
+    let all: Vec<(Term, String)> = all.collect::<Option<_>>()?;
+    (all.len() == things.len()).then_some(all)
+}
+
+/// Whether something else than its weight and the string may act on a thing, or it is said how it moves.
+fn is_held_otherwise(declaration: &Declaration, thing: &Term, string: &Term) -> bool {
+    match &declaration.statement {
+        Statement::Does {
+            subjects,
+            verb,
+            slots,
+        } => {
+            let moves = subjects.contains(thing) && *verb != "hang";
+            moves || *verb == "act" && slots.iter().any(|(_, term)| term == thing)
+        }
+        Statement::Is { what, .. } => {
+            let other = is_load(what.head) && what.slot(Slot::Of) != Some(string);
+            other
+                && [Slot::Upon, Slot::At]
+                    .iter()
+                    .any(|slot| what.slot(*slot) == Some(thing))
+        }
+        Statement::Premise(list) => list.slot(Slot::Of) == Some(thing),
+        _ => false,
+    }
 }
 
 /// The letter of the tension at what hangs there; where only one thing does, the point need not be said.
@@ -285,7 +320,7 @@ fn statements(told: &Pulley, axes: [&Term; 3], macros: &Macros) -> Option<Vec<St
 /// The axes, and how the pulley turns about its own one, which is at rest.
 fn turning(told: &Pulley, [i, j, k]: [&Term; 3], macros: &Macros) -> Option<Vec<Statement>> {
     let Pulley { pulley, ground, .. } = told;
-    let centre = centre_of(told);
+    let centre = centre();
     let angle = Term::Formula(formula(ANGLE, false, macros)?);
     let angle = phrase("angle", vec![(Slot::Which, angle)]);
     Some(vec![
@@ -320,7 +355,7 @@ fn hung(told: &Pulley, at: usize, macros: &Macros) -> Option<Vec<Statement>> {
     let placed = Statement::Does {
         subjects: vec![thing.clone()],
         verb: "place",
-        slots: vec![(Slot::From, centre_of(told)), (Slot::By, written(&way)?)],
+        slots: vec![(Slot::From, centre()), (Slot::By, written(&way)?)],
     };
     let loads = vec![
         (Slot::Of, thing.clone()),
@@ -331,11 +366,8 @@ fn hung(told: &Pulley, at: usize, macros: &Macros) -> Option<Vec<Statement>> {
     Some(vec![placed, constant, only("load", loads)])
 }
 
-fn centre_of(told: &Pulley) -> Term {
-    Term::Name(format!(
-        "centre of {}",
-        name(&told.pulley).unwrap_or_default()
-    ))
+fn centre() -> Term {
+    Term::Name(CENTRE.to_owned())
 }
 
 /// Moments of inertia about the axis of the pulley, and components along the vertical.
@@ -348,7 +380,7 @@ fn take_axes(statement: &mut Statement, told: &Pulley, j: &Term, k: &Term, macro
     for (slot, axis) in &mut what.slots {
         match (&*slot, &*axis) {
             (Slot::About, own) if inertia && is_own_axis(own, &told.pulley) => {
-                let slots = vec![(Slot::Through, centre_of(told)), (Slot::Along, j.clone())];
+                let slots = vec![(Slot::Through, centre()), (Slot::Along, j.clone())];
                 *axis = Term::Phrase(Box::new(NounPhrase::new("axis", slots)));
             }
             (Slot::Along, Term::Phrase(upright))

@@ -64,7 +64,7 @@ fn told_loads(
     list: usize,
     declarations: &[Declaration],
 ) -> Option<Vec<Term>> {
-    let mut told: Vec<Term> = vec![];
+    let (mut told, mut supports): (Vec<Term>, Vec<Term>) = (vec![], vec![]);
     for (at, declaration) in declarations.iter().enumerate() {
         let loads = match &declaration.statement {
             _ if at == list => vec![],
@@ -73,6 +73,14 @@ fn told_loads(
                     true => return None,
                     false => vec![],
                 }
+            }
+            Statement::Does {
+                subjects,
+                verb: "roll" | "slide" | "touch",
+                slots,
+            } if subjects.contains(body) => {
+                supports.extend(slot(slots, Slot::On).cloned());
+                vec![]
             }
             Statement::Does {
                 subjects,
@@ -92,6 +100,11 @@ fn told_loads(
             }
         }
     }
+    // Of what it touches a force must be told.
+    let untold = |support: &Term| !told.iter().any(|load| is_of(load, support));
+    if supports.iter().any(untold) {
+        return None;
+    }
     let head = |load: &Term| match load {
         Term::Phrase(load) => Some(load.head),
         _ => None,
@@ -106,6 +119,17 @@ fn told_loads(
         }
     }
     (!told.is_empty()).then_some(told)
+}
+
+/// Whether a load is one of something that a body touches.
+fn is_of(load: &Term, support: &Term) -> bool {
+    match load {
+        Term::Phrase(load) => {
+            let of = load.slot(Slot::Of);
+            of == Some(support) || of.is_none() && !matches!(load.head, FORCE | MOMENT | IMPULSE)
+        }
+        _ => false,
+    }
 }
 
 /// "The force `$F$` acts on the disc at P": what acts on a body; nothing where it is not said on what it acts.

@@ -6,10 +6,8 @@ use super::kinds::name;
 use super::planar_axes::{axis, vertical};
 use super::reader::formula;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
+use super::wound::{at_rest, is_at_rest, third_axis, winds};
 use crate::notation::Macros;
-
-/// Verbs of strings that unwind, with what the body is to them.
-const WOUND: [(&str, Slot); 2] = [("unwind", Slot::From), ("wind", Slot::On)];
 
 /// Parts of a body about which a string is wound.
 const PARTS: [&str; 5] = ["axle", "drum", "core", "hub", "spindle"];
@@ -17,8 +15,8 @@ const PARTS: [&str; 5] = ["axle", "drum", "core", "hub", "spindle"];
 /// What is at rest by its noun.
 const HELD: [&str; 2] = ["ceiling", "support"];
 
-/// Names by custom of the axes that are level where no sentence says which one is vertical.
-const LEVEL: [&str; 6] = ["x", "y", "X", "Y", "1", "2"];
+/// The name of the point where a string leaves a body.
+const POINT: &str = "string point";
 
 /// By its number the axis along which the string is from the body, and the one about which this turns.
 const BESIDE: usize = 1;
@@ -44,11 +42,9 @@ pub(super) fn unwind_strings(declarations: &mut Vec<Declaration>, macros: &Macro
         return;
     };
     let said = declarations[told.at].clone();
-    let point = Term::Name(format!(
-        "string point of {}",
-        name(&told.body).unwrap_or_default()
-    ));
+    let point = Term::Name(POINT.to_owned());
     declarations.retain(|d| !is_of_winding(&d.statement, &told));
+    take_radius(declarations, &told);
     for declaration in declarations.iter_mut() {
         pull_there(&mut declaration.statement, &told, &point);
         turn_about_level(&mut declaration.statement, &told);
@@ -88,16 +84,6 @@ fn unwinding(declarations: &[Declaration]) -> Option<Unwinding> {
         ground,
         down,
     })
-}
-
-/// "The string unwinds from the axle", "the string is wound on the axle"
-pub(super) fn winds(statement: &Statement) -> Option<(&Term, &Term)> {
-    WOUND
-        .iter()
-        .find_map(|(verb, from)| match statement.does(verb)? {
-            ([string], [(slot, part)]) if slot == from => Some((string, part)),
-            _ => None,
-        })
 }
 
 fn is_vertical(string: &Term, declarations: &[Declaration]) -> bool {
@@ -141,40 +127,6 @@ fn held_in(string: &Term, declarations: &[Declaration]) -> Option<Term> {
     (frames.all(|other| other == frame) && inertial(&frame)).then_some(frame)
 }
 
-/// Whether a frame is said to be inertial; where none is, whether nothing is said of how it moves.
-pub(super) fn is_at_rest(frame: &Term, declarations: &[Declaration]) -> bool {
-    let said = |d: &Declaration| match &d.statement {
-        Statement::Is { subjects, what } => {
-            let inertial = what.head == "frame" && what.is("inertial");
-            inertial.then(|| subjects.contains(frame))
-        }
-        _ => None,
-    };
-    let mut inertial = declarations.iter().filter_map(said).peekable();
-    if inertial.peek().is_some() {
-        return inertial.any(|own| own);
-    }
-    let moves = |d: &Declaration| match &d.statement {
-        Statement::Does { subjects, .. } => subjects.contains(frame),
-        Statement::Is { subjects, what } => {
-            subjects.contains(frame) && what.slot(Slot::FixedIn).is_some()
-        }
-        _ => false,
-    };
-    !declarations.iter().any(moves)
-}
-
-/// That a frame is inertial, where no sentence says so.
-pub(super) fn at_rest(frame: &Term, declarations: &[Declaration]) -> Option<Statement> {
-    let said = declarations.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => what.head == "frame" && subjects.contains(frame),
-        _ => false,
-    });
-    let mut inertial = NounPhrase::new("frame", vec![]);
-    inertial.adjectives.push("inertial");
-    (!said).then(|| Statement::one_is(frame.clone(), inertial))
-}
-
 /// The body with a mass from which the string unwinds, or of which it unwinds from a part.
 fn body_with(part: &Term, declarations: &[Declaration]) -> Option<Term> {
     let mut bodies: Vec<Term> = vec![];
@@ -200,33 +152,6 @@ fn body_with(part: &Term, declarations: &[Declaration]) -> Option<Term> {
     let is_part = name(part).is_some_and(|part| PARTS.contains(&part.as_str()));
     match bodies.as_slice() {
         [body] if is_part => Some(body.clone()),
-        _ => None,
-    }
-}
-
-/// Whether the third axis of a frame points down, where it is the vertical and no other axis has a name.
-pub(super) fn third_axis(ground: &Term, declarations: &[Declaration]) -> Option<bool> {
-    let said = || {
-        declarations.iter().filter_map(|d| match &d.statement {
-            Statement::Is { subjects, what } => Some((subjects, what)),
-            _ => None,
-        })
-    };
-    let upright: Vec<(&Term, bool)> = said()
-        .filter(|(_, what)| what.head == VERTICAL && (what.is("downward") || what.is("upward")))
-        .flat_map(|(subjects, what)| subjects.iter().map(|s| (s, what.is("downward"))))
-        .collect();
-    let level = |axis: &Term| name(axis).is_none_or(|name| LEVEL.contains(&name.as_str()));
-    let others = said().any(|(subjects, what)| {
-        let of_ground = what.all(Slot::Of).any(|of| of == ground);
-        let axes = matches!(what.head, "axes" | "axis") && of_ground;
-        axes && subjects
-            .iter()
-            .any(|s| upright.iter().all(|(own, _)| *own != s))
-    });
-    match upright.as_slice() {
-        [] if !others => Some(false),
-        [(axis, down)] if !others && !level(axis) => Some(*down),
         _ => None,
     }
 }
@@ -338,7 +263,48 @@ fn rolling(told: &Unwinding, point: &Term) -> Vec<Statement> {
     ]
 }
 
-/// The radius of the part is that with which the body rolls; the tension is the force there, and pulls up.
+/// The radius of the part is that with which the body rolls: said where it is said what the body is, or by itself.
+fn take_radius(declarations: &mut [Declaration], told: &Unwinding) {
+    let own = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let radius = what.head == "radius" && what.slot(Slot::Of) == Some(&told.part);
+            radius.then(|| subjects.first().cloned()).flatten()
+        }
+        _ => None,
+    };
+    let Some(letter) = declarations.iter().find_map(own) else {
+        return;
+    };
+    if told.part == told.body {
+        return;
+    }
+    let radius = NounPhrase::new("radius", vec![(Slot::Which, letter)]);
+    let described = |d: &&mut Declaration| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let masses = what.slots.iter().any(|(_, size)| size.is_noun(MASS));
+            masses && subjects.as_slice() == std::slice::from_ref(&told.body)
+        }
+        _ => false,
+    };
+    if let Some(declaration) = declarations.iter_mut().find(described)
+        && let Statement::Is { what, .. } = &mut declaration.statement
+    {
+        what.slots.push((Slot::Of, Term::Phrase(Box::new(radius))));
+    }
+    for declaration in declarations {
+        if let Statement::Is { what, .. } = &mut declaration.statement
+            && what.head == "radius"
+        {
+            for (slot, of) in &mut what.slots {
+                if *slot == Slot::Of && *of == told.part {
+                    *of = told.body.clone();
+                }
+            }
+        }
+    }
+}
+
+/// The tension is the force where the string leaves the body, and pulls up.
 fn pull_there(statement: &mut Statement, told: &Unwinding, point: &Term) {
     let pull = |load: &NounPhrase| {
         let of_string = load.slot(Slot::Of) == Some(&told.string);
@@ -351,13 +317,6 @@ fn pull_there(statement: &mut Statement, told: &Unwinding, point: &Term) {
             let up = Term::Phrase(Box::new(vertical("upward")));
             let slots = vec![(Slot::Along, up), (Slot::Of, Term::Phrase(Box::new(force)))];
             *what = NounPhrase::new("component", slots);
-        }
-        Statement::Is { what, .. } if what.head == "radius" => {
-            for (slot, of) in &mut what.slots {
-                if *slot == Slot::Of && *of == told.part {
-                    *of = told.body.clone();
-                }
-            }
         }
         Statement::Premise(list) if list.slot(Slot::Of) == Some(&told.body) => {
             for (_, load) in &mut list.slots {
