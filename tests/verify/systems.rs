@@ -11,6 +11,7 @@ mod chains;
 mod changes;
 mod counted;
 mod defaults_give_way;
+mod everyday_motion;
 mod families_and_types;
 mod family_loads;
 mod frames_that_move;

@@ -60,7 +60,10 @@ use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
 };
 use super::planar::turn_in_planes;
+use super::pulleys::hang_on_pulleys;
+use super::remaining_loads::list_remaining_loads;
 use super::rigid_wholes::fix_particles;
+use super::rolling_inside::tell_distances_of_rollers;
 use super::said_otherwise::say_plainly;
 use super::same::{
     leave_long_names, name_by_formulas, share_owners, tell_columns, tell_relations, tell_the_same,
@@ -81,6 +84,7 @@ use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::unknown_bodies::leave_unknown_bodies;
+use super::unwound::unwind_strings;
 use super::weights::tell_gravity;
 use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
@@ -197,6 +201,7 @@ fn tell_loads(declarations: &mut Vec<Declaration>, macros: &Macros) {
     direct_loads(declarations, macros);
     tell_parts_by_plural(declarations);
     give_to_bodies(declarations);
+    list_remaining_loads(declarations);
     act_as_listed(declarations);
     join_together(declarations);
     tell_gravity(declarations);
@@ -244,9 +249,12 @@ fn turn_about_axes(declarations: &mut Vec<Declaration>) {
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
 fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     lay_slopes(declarations);
+    unwind_strings(declarations, macros);
+    hang_on_pulleys(declarations, macros);
     place_on_lines(declarations);
     place_on_rings(declarations);
     tell_suspended(declarations, macros);
+    tell_distances_of_rollers(declarations, macros);
     turn_lines(declarations, macros);
     turn_in_planes(declarations, macros);
     turn_in_own_planes(declarations);

@@ -16,6 +16,9 @@ use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::leave_out;
 use crate::notation::Macros;
 
+/// How the first two axes of a frame are called by custom.
+const LEVEL: [&str; 6] = ["x", "y", "X", "Y", "1", "2"];
+
 /// Gives what moves in a vertical plane the turn by its angle.
 pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macros) {
     name_planes(declarations);
@@ -24,7 +27,7 @@ pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macro
     let Some(base) = only_base(&motions) else {
         return;
     };
-    if names_axes(declarations, base.as_ref()) {
+    if names_level_axes(declarations, base.as_ref()) {
         return;
     }
     let (mut told, mut used) = (vec![], vec![]);
@@ -113,12 +116,38 @@ fn only_base(motions: &[Motion]) -> Option<Option<Term>> {
 
 /// Whether the frame of the plane has axes with names: in which of their planes it is is not said then.
 pub(super) fn names_axes(declarations: &[Declaration], base: Option<&Term>) -> bool {
+    names_axes_besides(declarations, base, |_| false)
+}
+
+/// The same, where the name of the upward vertical counts for none: it says nothing of the plane, where it is not that of
+/// another axis than the third by custom.
+fn names_level_axes(declarations: &[Declaration], base: Option<&Term>) -> bool {
+    names_axes_besides(declarations, base, |subject| {
+        let named = name(subject).is_some_and(|name| !LEVEL.contains(&name.as_str()));
+        let upright = |d: &Declaration| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let plain = what.head == VERTICAL && what.is("upward") && what.slots.is_empty();
+                plain && subjects.contains(subject)
+            }
+            _ => false,
+        };
+        named && declarations.iter().any(upright)
+    })
+}
+
+fn names_axes_besides(
+    declarations: &[Declaration],
+    base: Option<&Term>,
+    besides: impl Fn(&Term) -> bool,
+) -> bool {
     declarations.iter().any(|d| match &d.statement {
-        Statement::Is { what, .. } if matches!(what.head, "axes" | "axis") => what
-            .all(Slot::Of)
-            .any(|of| base.is_none_or(|base| base == of)),
+        Statement::Is { subjects, what } if matches!(what.head, "axes" | "axis") => {
+            let of_base = |of: &Term| base.is_none_or(|base| base == of);
+            what.all(Slot::Of).any(of_base) && !subjects.iter().all(&besides)
+        }
         Statement::Is { subjects, what } if what.head == VERTICAL => {
-            subjects.iter().any(|subject| name(subject).is_some())
+            let named = |subject: &Term| name(subject).is_some() && !besides(subject);
+            subjects.iter().any(named)
         }
         _ => false,
     })

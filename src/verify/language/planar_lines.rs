@@ -59,6 +59,14 @@ impl Line {
         }
     }
 
+    /// Whether "the line from A to C" is this one, and whether it leads the other way.
+    pub(super) fn leads_along(&self, what: &NounPhrase) -> Option<bool> {
+        let Self::Way(way) = self else { return None };
+        let ends = (what.slot(Slot::From)?, what.slot(Slot::To)?);
+        let (forth, back) = ((&way.from, &way.to), (&way.to, &way.from));
+        (what.slots.len() == 2 && (ends == forth || ends == back)).then_some(ends == back)
+    }
+
     /// "the unit vector along the rod", "from O to G"
     pub(super) fn is_along(&self, what: &NounPhrase) -> bool {
         match self {
@@ -102,6 +110,13 @@ pub(super) fn line_between(way: &NounPhrase, declarations: &[Declaration]) -> Op
         }
         _ => None,
     });
+    // What rolls does not turn with the line to its mass centre.
+    let rolls = |d: &Declaration| {
+        let rolling = d.statement.does("roll");
+        rolling.is_some_and(|(subjects, _)| body.as_ref().is_some_and(|b| subjects.contains(b)))
+    };
+    let rolling = declarations.iter().any(rolls);
+    let body = body.filter(|_| !rolling);
     let new = body.is_none();
     Some(Line::Way(Box::new(Way {
         from: from.clone(),

@@ -5,8 +5,10 @@ use super::heads::{CONTACT_POINT, PLANE_OF_SYMMETRY, POTENTIAL_ENERGY};
 use super::is_quantity;
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
-use super::terms::say_besides;
 use crate::notation::Macros;
+
+/// The noun of how fast a point moves, by which a letter behind "with" is one.
+const SPEED: &str = "speed";
 
 /// Brings them to these terms.
 pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) {
@@ -25,9 +27,15 @@ pub(crate) fn say_plainly(declarations: &mut Vec<Declaration>, macros: &Macros) 
     });
     let told: Vec<Declaration> = told.collect();
     *declarations = told;
-    say_besides(declarations, |statement| {
-        take_speed(statement).into_iter().collect()
-    });
+    let mut told = Vec::with_capacity(declarations.len());
+    for mut declaration in declarations.drain(..) {
+        let names_speed = declaration.text.contains(SPEED);
+        let speed = names_speed.then(|| take_speed(&mut declaration.statement));
+        let speed = speed.flatten().map(|speed| declaration.saying(speed));
+        told.push(declaration);
+        told.extend(speed);
+    }
+    *declarations = told;
     let zeros: Vec<Option<Statement>> = declarations
         .iter()
         .map(|d| zero_on_surface(&d.statement, declarations))
@@ -101,7 +109,7 @@ fn plane_first(statement: &Statement) -> Option<Statement> {
     }
 }
 
-/// "P moves along the table relative to N with the speed `$v$`": v is its speed.
+/// "P moves along the table relative to N with the speed `$v$`": v is its speed, where the sentence has this noun.
 fn take_speed(statement: &mut Statement) -> Option<Statement> {
     let Statement::Does {
         subjects,
@@ -118,7 +126,7 @@ fn take_speed(statement: &mut Statement) -> Option<Statement> {
     let at = slots.iter().position(speed)?;
     let relative = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);
     let of = std::iter::once((Slot::Of, mover.clone()));
-    let what = NounPhrase::new("speed", of.chain(relative.cloned()).collect());
+    let what = NounPhrase::new(SPEED, of.chain(relative.cloned()).collect());
     let (_, letter) = slots.remove(at);
     // Along a thing it moves anyhow.
     slots.retain(|said| !matches!(said, (Slot::Along, Term::Name(_))));

@@ -61,6 +61,7 @@ pub(crate) fn lay_slopes(declarations: &mut Vec<Declaration>) {
         for body in &rolling {
             added.extend(turn(body, &ground, &across, declarations));
         }
+        declarations.retain(|d| !tells_level_axis(&d.statement, &rolling));
         tell_senses(&rolling, &across, declarations);
         tell_friction(&plane, declarations);
     }
@@ -166,6 +167,27 @@ fn tells_lie(declaration: &Declaration) -> bool {
         Statement::Is { subjects, what } => {
             let names = |subject: &Term| !matches!(subject, Term::Phrase(_));
             [DOWNHILL, UPHILL, NORMAL].contains(&what.head) && subjects.iter().any(names)
+        }
+        _ => false,
+    }
+}
+
+/// "The axis of the cylinder is horizontal", of what rolls down the plane: it turns about no other.
+fn tells_level_axis(statement: &Statement, rolling: &[Term]) -> bool {
+    let own = |slots: &[(Slot, Term)]| match slots {
+        [(Slot::Of, body)] => rolling.contains(body),
+        _ => false,
+    };
+    match statement {
+        Statement::Premise(axis) => {
+            axis.head == "axis" && axis.adjectives == ["horizontal"] && own(&axis.slots)
+        }
+        Statement::Is { subjects, what } if what.head == "horizontal" && what.slots.is_empty() => {
+            let axis = |term: &Term| match term {
+                Term::Phrase(axis) => axis.head == "axis" && own(&axis.slots),
+                _ => false,
+            };
+            subjects.iter().all(axis)
         }
         _ => false,
     }

@@ -37,10 +37,30 @@ pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
             Some((line, number, turn)) => {
                 let said = declarations.remove(at);
                 place_along(&line, number, declarations);
+                name_ways(&line, number, declarations);
                 let told = [Some(turn), line.besides(number)].into_iter().flatten();
                 declarations.extend(told.map(|statement| said.saying(statement)));
             }
             None => at += 1,
+        }
+    }
+}
+
+/// "the force along the line from C to A": along the axis of what turns with it, or against that.
+fn name_ways(line: &Line, number: usize, declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Is { what, .. } = &mut declaration.statement else {
+            continue;
+        };
+        for (slot, along) in &mut what.slots {
+            if let (Slot::Along, Term::Phrase(way)) = (slot, &*along)
+                && let Some(against) = line.leads_along(way)
+            {
+                *along = axis(number, Some(line.turning()));
+                if let (true, Term::Phrase(axis)) = (against, along) {
+                    axis.adjectives.push("negative");
+                }
+            }
         }
     }
 }

@@ -54,6 +54,10 @@ impl Builder<'_> {
         let frame = self.reading.system.bodies[body].frame?;
         let mass_alone = what.slots.iter().all(|(slot, term)| match (slot, term) {
             (Slot::Of, Term::Phrase(size)) => size.head == MASS,
+            // "with the edges `$a$`, `$b$` and `$c$`", where others tell along which axes they are.
+            (Slot::With, side @ Term::Formula(_)) => {
+                self.are_laid_elsewhere(std::slice::from_ref(side), SIDE, body)
+            }
             _ => false,
         });
         if !mass_alone || what.adjectives.iter().any(|said| !PLAIN.contains(said)) {
@@ -87,6 +91,9 @@ impl Builder<'_> {
                 continue;
             }
             let along: Vec<&Term> = what.all(Slot::Along).collect();
+            if along.is_empty() && self.are_laid_elsewhere(subjects, noun, body) {
+                continue;
+            }
             let axes: Vec<usize> = match along.as_slice() {
                 [Term::Phrase(axes)] if axes.head == "axes" => {
                     let of = axes.slot(Slot::Of).and_then(|of| self.frame(of));
@@ -109,6 +116,23 @@ impl Builder<'_> {
             }
         }
         Some(sides)
+    }
+}
+
+impl Builder<'_> {
+    /// Whether other sentences tell along which axes the same sides of a body are.
+    fn are_laid_elsewhere(&self, sides: &[Term], noun: &str, body: BodyId) -> bool {
+        let laid = |side: &Term| {
+            self.declarations.iter().any(|d| match &d.statement {
+                Statement::Is { subjects, what } => {
+                    let of = what.slot(Slot::Of).and_then(|of| self.body(of));
+                    let own = what.head == noun && of == Some(body);
+                    own && what.slot(Slot::Along).is_some() && subjects.contains(side)
+                }
+                _ => false,
+            })
+        };
+        sides.iter().all(laid)
     }
 }
 

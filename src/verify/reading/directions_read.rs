@@ -5,7 +5,7 @@ use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
-use crate::verify::model::system::{FrameId, Vector};
+use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::{defined_as, is_written_as};
 use crate::verify::reading::frames_read::CUSTOMARY;
@@ -63,6 +63,9 @@ impl Builder<'_> {
                 if let Some((frame, axis)) = self.axis_of_frame(term) {
                     return Some(self.system().axis(frame, axis));
                 }
+                if let Some(way) = self.way_through_two(phrase) {
+                    return self.unit_along(way);
+                }
                 let along = phrase.slot(Slot::Along).or(phrase.slot(Slot::Which))?;
                 self.direction(&along.clone(), declaration, carried)
             }
@@ -100,6 +103,22 @@ impl Builder<'_> {
 }
 
 impl Builder<'_> {
+    /// "the axis through O and C": the way from the one point to the other, where it is told.
+    fn way_through_two(&mut self, line: &NounPhrase) -> Option<Vector> {
+        let points: Option<Vec<PointId>> = line
+            .slots
+            .iter()
+            .map(|(slot, term)| self.point(term).filter(|_| *slot == Slot::Through))
+            .collect();
+        let points = points?;
+        let [from, to] = points.as_slice() else {
+            return None;
+        };
+        let way = self.system().position(*to, *from);
+        let told = Value::vector(&way, Basis::Itself);
+        self.reading.system.is_told(&told).then_some(way)
+    }
+
     /// A letter of a unit vector that only sentences tell, of one thing or of each of many, and what carries it.
     pub(super) fn unit_vector_of(&self, letter: &Formula, carried: Option<FrameId>) -> Quantity {
         let text = letter.source.clone();
@@ -173,7 +192,9 @@ impl<'d> Builder<'d> {
     pub(super) fn unit_along(&mut self, along: Vector) -> Option<Vector> {
         let atoms = &mut self.reading.system.atoms;
         let square = Facts::default().normal(atoms, &along.dot(&along)).ok()?;
-        square.to_rational().filter(|number| !number.is_zero())?;
+        if square.to_rational().is_some_and(|number| number.is_zero()) {
+            return None;
+        }
         let length = atoms.root(&square)?;
         Some(along / length)
     }

@@ -123,7 +123,8 @@ impl Builder<'_> {
         };
         things.iter().all(|thing| {
             let alone = std::slice::from_ref(thing);
-            self.are_points(alone) || self.body(thing).is_some() && keeps_direction(thing)
+            let whole = self.body(thing).is_some() || self.frame(thing).is_some();
+            self.are_points(alone) || whole && keeps_direction(thing)
         })
     }
 
@@ -219,10 +220,17 @@ impl Builder<'_> {
         if let Some(point) = self.point(mover) {
             return Some(point);
         }
-        let body = self.body(mover)?;
-        let own = self.reading.system.bodies[body].frame?;
+        let body = self.body(mover);
+        let own = match body {
+            Some(body) => self.reading.system.bodies[body].frame?,
+            None => self.frame(mover)?,
+        };
         let omega = self.system().angular_velocity(own, frame);
-        (omega == Vector::zeros()).then(|| self.centre_of(body))
+        let point = match body {
+            Some(body) => self.centre_of(body),
+            None => self.reading.system.fixed_point(own),
+        };
+        (omega == Vector::zeros()).then_some(point)
     }
 
     /// What moves along an axis has no velocity across it, and what is smooth there does not hold it back.

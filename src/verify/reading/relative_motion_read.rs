@@ -1,9 +1,10 @@
 //! Velocities and accelerations of points, relative to frames and to other points.
 
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
-use crate::verify::model::system::FrameId;
+use crate::verify::model::system::{FrameId, Turn};
 use crate::verify::reading::builder::Builder;
-use crate::verify::term::quantity::Quantity;
+use crate::verify::reading::names::name_of;
+use crate::verify::term::quantity::{Quantity, Spot};
 
 impl Builder<'_> {
     /// The velocity or the acceleration of a point. That relative to another point is the rate of the way from there, as the
@@ -24,11 +25,23 @@ impl Builder<'_> {
             let way = Quantity::Position { of, from };
             return Some(if first { rate(way) } else { rate(rate(way)) });
         }
-        let of = self.moving_spot(phrase)?;
+        let whole = || self.spot_of_frame(phrase.slot(Slot::Of)?, relative);
+        let of = self.moving_spot(phrase).or_else(whole)?;
         Some(match first {
             true => Quantity::Velocity { of, relative },
             false => Quantity::Acceleration { of, relative },
         })
+    }
+
+    /// A point of a frame that does not turn against another one: all of them move alike.
+    fn spot_of_frame(&self, term: &Term, relative: FrameId) -> Option<Spot> {
+        let frame = *self.frames.get(&name_of(term)?)?;
+        let system = &self.reading.system;
+        let turned = &system.frames[frame];
+        let keeps = turned.parent == Some(relative) && turned.turn == Turn::Fixed;
+        let point = system.fixed_point(frame);
+        let own = system.points[point].fixed_in.contains(&frame);
+        (keeps && own).then_some(Spot::Point(point))
     }
 
     /// "P moves relative to A along z at the rate `$v$`": that is its velocity.

@@ -5,7 +5,9 @@ use crate::verify::standing::chains::Link;
 use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::standing::verdicts::Standing;
-use crate::verify::standing::written::symbols_of;
+use crate::verify::standing::written::{stands_with_rate, symbols_of};
+use crate::verify::term::letters::Meaning;
+use crate::verify::term::quantity::Quantity;
 use std::collections::BTreeSet;
 
 /// Letters with two meanings are taken in either at no more places of a link.
@@ -60,7 +62,12 @@ impl Judge<'_> {
             let letter = self.reading.letters.besides(writing, &self.at);
             letter.is_some_and(|letter| held.unknown.contains(&letter.latex))
         });
-        if named.is_empty() {
+        // An axis at rest has no rate: what stands beside its own is a number.
+        let sides = link.sides();
+        let counted = named
+            .iter()
+            .any(|(writing, _)| self.is_axis_at_rest(writing) && stands_with_rate(writing, &sides));
+        if named.is_empty() || counted {
             return held;
         }
         let worked_out = self.sides(link, &named.into_iter().collect());
@@ -72,6 +79,15 @@ impl Judge<'_> {
             Some(by_axes) if by_axes.standing == Standing::Denied => Held::open(OPEN_MEANING),
             _ => held,
         }
+    }
+
+    fn is_axis_at_rest(&self, writing: &str) -> bool {
+        let letter = self.reading.letters.besides(writing, &self.at);
+        let ground = self.reading.system.ground;
+        letter.is_some_and(|letter| match &letter.meaning {
+            Meaning::Quantity(Quantity::Axis(frame, _)) => *frame == ground,
+            _ => false,
+        })
     }
 
     /// The places on a link of letters that mean something besides, and of which no line says what they are.

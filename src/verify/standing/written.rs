@@ -76,6 +76,27 @@ pub(super) fn symbols_of(nodes: &[&Node]) -> Vec<(String, usize)> {
     found
 }
 
+/// Whether a letter and its rate stand in formulas side by side.
+pub(super) fn stands_with_rate(writing: &str, nodes: &[&Node]) -> bool {
+    fn rates(node: &Node, writing: &str) -> usize {
+        let own = match &node.kind {
+            Kind::TimeDerivative { operand, .. } => match &operand.kind {
+                Kind::Symbol(symbol) => usize::from(spell(symbol, true) == writing),
+                _ => 0,
+            },
+            _ => 0,
+        };
+        own + node
+            .children()
+            .map(|child| rates(child, writing))
+            .sum::<usize>()
+    }
+    let dotted: usize = nodes.iter().map(|node| rates(node, writing)).sum();
+    let all = symbols_of(nodes);
+    let all = all.iter().filter(|(other, _)| other == writing).count();
+    dotted > 0 && all > dotted
+}
+
 /// The symbols that a document writes, spelled, and its lines.
 pub(crate) fn written_symbols(document: &Document) -> Written {
     fn collect<'n>(
