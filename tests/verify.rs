@@ -19,6 +19,7 @@ mod verify {
     mod rejected;
     mod relations;
     mod systems;
+    mod ways;
     mod wordings;
     mod wrong_verdicts;
 }

@@ -168,6 +168,7 @@ mod unread;
 mod unsaying;
 mod unwound;
 mod values_at_which;
+mod verticals;
 pub(crate) mod wants;
 mod weights;
 mod wholes_by_plurals;

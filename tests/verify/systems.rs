@@ -97,7 +97,7 @@ fn judged_in_any_order(sentences: &[&str], text: &str, verdicts: &str) {
 }
 
 /// The verdicts of the lines, a letter each, and the sentences that are not understood.
-fn verdicts(said: &str, text: &str) -> (String, Vec<Misunderstood>) {
+pub(crate) fn verdicts(said: &str, text: &str) -> (String, Vec<Misunderstood>) {
     let (document, _) = read("a document", text, Format::Markdown);
     let sheet = Sheet {
         sentences: sentences(said),

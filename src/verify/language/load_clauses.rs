@@ -332,6 +332,13 @@ impl Acting<'_> {
     /// "`$N$` is the normal force of the floor on the wheel at C along y;" for each load, the last one without the sign.
     fn clauses(&self, near: &Token) -> Vec<Token> {
         let word = |text: &str| put_in(Kind::Word, text, near);
+        // A capital at the beginning of the sentence makes no name of an article.
+        let agent: Vec<Token> = match self.agent {
+            [first, rest @ ..] if ARTICLES.contains(&first.lower.as_str()) => {
+                [&[word(&first.lower)], rest].concat()
+            }
+            agent => agent.to_vec(),
+        };
         let before = |text: &str, tokens: &[Token]| match tokens {
             [] => vec![],
             tokens => [&[word(text)], tokens].concat(),
@@ -359,7 +366,7 @@ impl Acting<'_> {
                 &is,
                 &components,
                 load.noun,
-                &before("of", self.agent),
+                &before("of", &agent),
                 &before("on", self.body),
                 &before("at", at),
                 &along,

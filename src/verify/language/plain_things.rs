@@ -6,9 +6,9 @@ use super::heads::{UNIT_VECTOR, VERTICAL};
 use super::is_body;
 use super::kinds::{name, rename};
 use super::named_places::{PLACES, names_place_again};
-use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
-use crate::notation::ast::Kind;
+use super::verticals::tell_verticals;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Adjectives that say of a thing nothing that could tell it from another.
@@ -275,46 +275,6 @@ pub(crate) fn tell_named_things(declarations: &mut Vec<Declaration>) {
     }
     declarations.extend(told);
 }
-
-/// "`$k$` is upward": it is the upward vertical.
-fn tell_verticals(declarations: &mut [Declaration]) {
-    for declaration in declarations {
-        if let Statement::Is { subjects, what } = &mut declaration.statement
-            && SENSES_OF_VERTICAL.contains(&what.head)
-            && what.slots.is_empty()
-            && what.adjectives.is_empty()
-            && matches!(subjects.as_slice(), [Term::Name(_) | Term::Formula(_)])
-        {
-            what.adjectives.push(what.head);
-            what.head = VERTICAL;
-        }
-        if let Statement::Is { subjects, what } = &mut declaration.statement
-            && what.head == VERTICAL
-            && let ([Term::Formula(axis)], [sense]) =
-                (subjects.as_mut_slice(), what.adjectives.as_mut_slice())
-            && let (Some(opposite), Some(other)) = (negated(axis), other_sense(sense))
-        {
-            *axis = opposite;
-            *sense = other;
-        }
-    }
-}
-
-/// The letter that has a minus before it.
-fn negated(formula: &Formula) -> Option<Formula> {
-    match &formula.node()?.kind {
-        Kind::Negate(letter) => Some(Formula::of(letter)),
-        _ => None,
-    }
-}
-
-fn other_sense(sense: &str) -> Option<&'static str> {
-    let at = SENSES_OF_VERTICAL.iter().position(|own| *own == sense)?;
-    Some(SENSES_OF_VERTICAL[1 - at])
-}
-
-/// How the vertical points.
-const SENSES_OF_VERTICAL: [&str; 2] = ["upward", "downward"];
 
 /// "about the vertical axis through O along `$k$`": k is vertical; and what turns about it in a horizontal plane only turns.
 pub(crate) fn tell_upright_axes(declarations: &mut Vec<Declaration>) {

@@ -126,12 +126,18 @@ fn told_loads(
     if supports.iter().any(untold) {
         return None;
     }
+    name_by_noun(&mut told);
+    (!told.is_empty()).then_some(told)
+}
+
+/// What alone has its noun is told by that.
+fn name_by_noun(told: &mut [Term]) {
     let head = |load: &Term| match load {
         Term::Phrase(load) => Some(load.head),
         _ => None,
     };
     let heads: Vec<&str> = told.iter().filter_map(head).collect();
-    for load in &mut told {
+    for load in told {
         if let Term::Phrase(load) = load {
             let alone = heads.iter().filter(|head| **head == load.head).count() == 1;
             if alone && !matches!(load.head, FORCE | MOMENT | IMPULSE) {
@@ -139,7 +145,6 @@ fn told_loads(
             }
         }
     }
-    (!told.is_empty()).then_some(told)
 }
 
 /// Whether a load is one of something that a body touches.
