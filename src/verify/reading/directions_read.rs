@@ -64,7 +64,7 @@ impl Builder<'_> {
                     return Some(self.system().axis(frame, axis));
                 }
                 if let Some(way) = self.way_through_two(phrase) {
-                    return self.unit_along(way);
+                    return self.unit_of_any_length(way);
                 }
                 let along = phrase.slot(Slot::Along).or(phrase.slot(Slot::Which))?;
                 self.direction(&along.clone(), declaration, carried)
@@ -73,7 +73,10 @@ impl Builder<'_> {
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) || !is_letter(formula) {
                     let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
-                    return self.unit_along(along);
+                    return match is_letter(formula) {
+                        true => self.unit_along(along),
+                        false => self.unit_of_any_length(along),
+                    };
                 }
                 if let Some((along, said)) = self.directed_elsewhere(formula) {
                     let along = self.formula_value(&along, said)?.to_vector().ok()?;
@@ -190,6 +193,15 @@ impl<'d> Builder<'d> {
 
     /// A vector over its length, where that is a number.
     pub(super) fn unit_along(&mut self, along: Vector) -> Option<Vector> {
+        let atoms = &mut self.reading.system.atoms;
+        let square = Facts::default().normal(atoms, &along.dot(&along)).ok()?;
+        square.to_rational().filter(|number| !number.is_zero())?;
+        let length = atoms.root(&square)?;
+        Some(along / length)
+    }
+
+    /// The same, where the length may be anything but zero.
+    fn unit_of_any_length(&mut self, along: Vector) -> Option<Vector> {
         let atoms = &mut self.reading.system.atoms;
         let square = Facts::default().normal(atoms, &along.dot(&along)).ok()?;
         if square.to_rational().is_some_and(|number| number.is_zero()) {

@@ -70,13 +70,19 @@ impl Judge<'_> {
         if named.is_empty() || counted {
             return held;
         }
-        let worked_out = self.sides(link, &named.into_iter().collect());
+        let named: BTreeSet<Place> = named.into_iter().collect();
+        let worked_out = self.sides(link, &named);
         match worked_out
             .is_ok()
             .then(|| self.hold_sides(link, worked_out))
         {
             Some(by_axes) if by_axes.standing == Standing::Entailed => by_axes,
-            Some(by_axes) if by_axes.standing == Standing::Denied => Held::open(OPEN_MEANING),
+            Some(by_axes) if by_axes.standing == Standing::Denied => {
+                match self.may_be_no_axis(&named) {
+                    true => Held::open(OPEN_MEANING),
+                    false => by_axes,
+                }
+            }
             _ => held,
         }
     }

@@ -281,7 +281,7 @@ $\beta$ is constant.
 The bead P is a particle of mass $m$.
 P lies at the distance $s$ from O along $u$.
 $v$ is the velocity of P relative to N.
-$T$ is the kinetic energy of the bead relative to the laboratory.
+$T$ is the kinetic energy of the bead relative to N.
 ";
     let text = r"
 $$ v = \dot s u + w s\sin\beta\,\mathbf j $$
