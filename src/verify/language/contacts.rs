@@ -19,7 +19,9 @@ pub(crate) fn tell_contacts(declarations: &mut [Declaration]) {
             }
             statement => {
                 let contact = touching_at(statement, &rolling);
-                contact.map(|contact| declaration.statement = contact);
+                if let Some(contact) = contact {
+                    declaration.statement = contact;
+                }
             }
         }
     }

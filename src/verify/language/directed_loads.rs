@@ -98,13 +98,27 @@ fn product(formula: &Formula, units: &[(Formula, Term)]) -> Option<Product> {
         Kind::Symbol(symbol) => !symbol.style.vector && !symbol.style.hat,
         _ => false,
     };
-    let known = plain(&unit.node).filter(|_| joined(&unit) && is_number(&letter.node))?;
+    let fits = joined(&unit) && is_number(&letter.node) && is_written_as_unit(&unit.node);
+    let known = plain(&unit.node).filter(|_| fits)?;
     let (_, along) = units.iter().find(|(own, _)| own.source == known.source)?;
     Some(Product {
         source: formula.source.clone(),
         letter: Formula::of(&letter.node),
         along: along.clone(),
     })
+}
+
+/// Letters that without the mark of a vector are unit vectors by custom; any other one may be a coordinate.
+const UNIT_VECTORS: [&str; 4] = ["i", "j", "k", "e"];
+
+fn is_written_as_unit(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Symbol(letter) => {
+            let marked = letter.style.vector || letter.style.hat;
+            marked || UNIT_VECTORS.contains(&letter.name.as_str())
+        }
+        _ => false,
+    }
 }
 
 /// "`$P\,\hat x$` is the force of M", "the force `$P\,\hat x$` acts at A".

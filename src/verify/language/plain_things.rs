@@ -207,7 +207,8 @@ fn plain(term: &mut Term, ground: &str) -> bool {
     };
     let bare = phrase.slots.is_empty();
     let only = |allowed: &[&str]| phrase.adjectives.iter().all(|a| allowed.contains(a));
-    if bare && phrase.head == "frame" && phrase.is("inertial") && only(&["inertial", "fixed"]) {
+    let at_rest = phrase.is("inertial") || phrase.is("laboratory");
+    if bare && phrase.head == "frame" && at_rest && only(&["inertial", "fixed", "laboratory"]) {
         *term = Term::Name(ground.to_owned());
         return true;
     }

@@ -25,7 +25,7 @@ struct Roller<'d> {
 pub(super) fn tell_distances_of_rollers(declarations: &mut Vec<Declaration>, macros: &Macros) {
     let told: Vec<Declaration> = declarations
         .iter()
-        .filter_map(|d| roller(d))
+        .filter_map(roller)
         .filter_map(|roller| {
             let distance = distance(&roller, declarations, macros)?;
             Some(roller.declaration.saying(distance))

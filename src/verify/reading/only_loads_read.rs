@@ -207,12 +207,10 @@ impl Builder<'_> {
         }
         let letter = letters.first().map(|letter| (*letter).clone());
         // Another sentence may name the force at this point.
-        match (self.loads_on(listed.body, at, lasting).as_slice(), &letter) {
-            (named @ [_, ..], None) => {
-                listed.loads.extend_from_slice(named);
-                return Some(());
-            }
-            _ => {}
+        let named = self.loads_on(listed.body, at, lasting);
+        if letter.is_none() && !named.is_empty() {
+            listed.loads.extend(named);
+            return Some(());
         }
         match &listed.open {
             None => listed.open = Some((at, letter)),

@@ -352,6 +352,6 @@ $$ m\ddot s = P + F $$
     }
     let twice =
         "No further loads act on the wheel than the weight, the force of the floor and $P$.";
-    let found = super::verdicts(&format!("{wheel}{twice}\n"), text).0;
+    let found = verdicts(&format!("{wheel}{twice}\n"), text).0;
     assert!(!found[..2].contains('r'), "{found}");
 }
