@@ -128,7 +128,7 @@ fn direct(statement: &mut Statement, units: &[(Formula, Term)]) -> Option<Produc
             let [Term::Formula(letter)] = subjects.as_mut_slice() else {
                 return None;
             };
-            if !is_load(what.head) || what.slot(Slot::Along).is_some() {
+            if !is_lasting(what.head) || what.slot(Slot::Along).is_some() {
                 return None;
             }
             let product = product(letter, units)?;
@@ -145,6 +145,9 @@ fn direct(statement: &mut Statement, units: &[(Formula, Term)]) -> Option<Produc
                 return None;
             };
             if slots.iter().any(|(slot, _)| *slot == Slot::Along) {
+                return None;
+            }
+            if matches!(subject, Term::Phrase(load) if !is_lasting(load.head)) {
                 return None;
             }
             let letter = letter_of_mut(subject)?;
@@ -216,6 +219,11 @@ fn count_backwards(statement: &mut Statement, macros: &Macros) {
         *axis = Term::Formula(opposite);
         *letter = inner;
     }
+}
+
+/// Whether a noun is that of a load which does not act at one instant alone.
+fn is_lasting(head: &str) -> bool {
+    is_load(head) && head != "impulse"
 }
 
 /// The formula of a load: alone, or beside its noun.

@@ -47,7 +47,10 @@ fn point_along_rods(declarations: &mut Vec<Declaration>) {
         };
         let own = |rod: &&Term| {
             let named = is_named_by(rod, &way);
-            let of_rod = |point: &Term| ends(rod, declarations).any(|end| end == point);
+            let of_rod = |point: &Term| match way.of_axis {
+                true => ends(rod, declarations).any(|end| end == point),
+                false => is_called_end(point, rod, declarations),
+            };
             let from = named || of_rod(&way.from);
             from && (named || of_rod(&way.to) || is_centre(&way.to, rod, declarations))
         };
@@ -103,8 +106,11 @@ fn way(statement: &Statement, declarations: &[Declaration]) -> Option<Way> {
     })
 }
 
-/// Whether a rod is called by the points of a way, as AB is from A to B.
+/// Whether a rod is called by the points of the way of an axis, as AB is from A to B.
 fn is_named_by(rod: &Term, way: &Way) -> bool {
+    if !way.of_axis {
+        return false;
+    }
     let named = |one: &Term, other: &Term| Some(format!("{}{}", name(one)?, name(other)?));
     let rod = name(rod);
     rod.is_some() && (rod == named(&way.from, &way.to) || rod == named(&way.to, &way.from))
@@ -258,6 +264,16 @@ fn ends<'d>(rod: &'d Term, declarations: &'d [Declaration]) -> impl Iterator<Ite
         _ => None,
     });
     told.flatten()
+}
+
+/// Whether a sentence says of a point alone that it is an end of a rod.
+fn is_called_end(point: &Term, rod: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            is_end(what, rod) && matches!(subjects.as_slice(), [end] if end == point)
+        }
+        _ => false,
+    })
 }
 
 fn is_end(what: &NounPhrase, rod: &Term) -> bool {

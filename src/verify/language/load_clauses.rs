@@ -207,7 +207,8 @@ impl<'t> Reader<'t> {
                 (4, "along")
             }
             "along" => (1, "along"),
-            "about" => (1, "about"),
+            // A moment about an axis is that along it.
+            "about" => (1, "along"),
             _ => return None,
         };
         let (direction, behind) = self.name(at + skipped, false)?;
@@ -266,9 +267,7 @@ impl<'t> Reader<'t> {
     /// "The force `$F$` along x and the force `$R$` along y act on the rod at A."
     fn of_loads(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
         let verb = self.loads(at, acting)?;
-        // One that acts where its verb says is a clause of its own.
-        let apart = |load: &Load<'_>| !load.along.is_empty() || !load.at.is_empty();
-        let several = acting.loads.len() > 1 || acting.loads.iter().any(apart);
+        let several = acting.loads.len() > 1;
         (several && matches!(self.word(verb), "act" | "acts")).then_some(())?;
         let mut at = verb + 1;
         while let Some(behind) = self.part(at, acting) {

@@ -1,6 +1,7 @@
 //! Directions: along what a term points, and what sentences tell of the letter of a unit vector.
 
 use crate::algebra::Fraction;
+use crate::notation::ast::Kind;
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
@@ -73,9 +74,10 @@ impl Builder<'_> {
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) || !is_letter(formula) {
                     let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
-                    return match is_letter(formula) {
-                        true => self.unit_along(along),
-                        false => self.unit_of_any_length(along),
+                    let sum = is_sum(formula);
+                    return match sum {
+                        true => self.unit_of_any_length(along),
+                        false => self.unit_along(along),
                     };
                 }
                 if let Some((along, said)) = self.directed_elsewhere(formula) {
@@ -210,4 +212,10 @@ impl<'d> Builder<'d> {
         let length = atoms.root(&square)?;
         Some(along / length)
     }
+}
+
+/// Whether a formula is a combination of others, whose length no sentence need tell.
+fn is_sum(formula: &Formula) -> bool {
+    let kind = formula.node().map(|node| &node.kind);
+    matches!(kind, Some(Kind::Sum(_)))
 }

@@ -31,7 +31,7 @@ $w$ is the velocity of P relative to A.
     let text = r"
 $$ v = w $$
 ";
-    assert_eq!(judged(sentences, text), "u");
+    assert_eq!(judged(sentences, text), "r");
 }
 
 #[test]

@@ -222,7 +222,7 @@ $S k$ is the force of the string on B.
     let text = r"
 $$ S=2mv\cdot k $$
 ";
-    assert_eq!(judged(sentences, text), "u");
+    assert_eq!(judged(sentences, text), "r");
 }
 
 #[test]

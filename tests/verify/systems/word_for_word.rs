@@ -112,7 +112,7 @@ fn what_is_said_twice_of_one_thing_is_no_first_one() {
         (
             "$x, y, z$ are the axes of N. / $k$ is the acceleration of gravity. / P is a particle of mass $m$. / O is a point fixed in N. / P lies at the distance $h$ from O along $z$. / $-z$ is the upward vertical. / The potential energy is zero at O. / $V$ is the potential energy of P.",
             &["V = m k h"],
-            "u",
+            "r",
         ),
     ]);
 }
