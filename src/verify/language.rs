@@ -153,6 +153,7 @@ mod told_anew;
 mod told_apart;
 mod told_in_parts;
 mod told_loads;
+mod told_sizes;
 mod told_there_alone;
 mod told_vectors;
 pub(crate) mod traits;

@@ -5,11 +5,8 @@ use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 
 /// "C is the point of contact", "the wheel touches the floor at C", where the wheel rolls on the floor: C is its contact point.
 pub(crate) fn tell_contacts(declarations: &mut [Declaration]) {
-    let rolling = declarations.iter().filter_map(|d| {
-        let (subjects, slots) = d.statement.does("roll")?;
-        Some((subjects.first()?.clone(), slot(slots, Slot::On)?.clone()))
-    });
-    let rolling: Vec<(Term, Term)> = rolling.collect();
+    let rolling = declarations.iter().filter_map(|d| rolling(&d.statement));
+    let rolling: Vec<(Term, Term)> = rolling.map(|(touching, _)| touching).collect();
     for declaration in declarations {
         match &mut declaration.statement {
             Statement::Is { subjects: _, what } if what.head == CONTACT_POINT => {
@@ -25,6 +22,13 @@ pub(crate) fn tell_contacts(declarations: &mut [Declaration]) {
             }
         }
     }
+}
+
+/// What rolls, on what, and at which point.
+fn rolling(statement: &Statement) -> Option<((Term, Term), Option<Term>)> {
+    let (subjects, slots) = statement.does("roll")?;
+    let touching = (subjects.first()?.clone(), slot(slots, Slot::On)?.clone());
+    Some((touching, slot(slots, Slot::At).cloned()))
 }
 
 /// The contact point of what touches, at a point, the thing on which it rolls.
@@ -49,9 +53,8 @@ pub(crate) fn place_contact_forces(declarations: &mut [Declaration]) {
             Some((subjects.first()?.clone(), touching))
         }
         statement => {
-            let (subjects, slots) = statement.does("roll")?;
-            let touching = (subjects.first()?.clone(), slot(slots, Slot::On)?.clone());
-            Some((slot(slots, Slot::At)?.clone(), touching))
+            let (touching, at) = rolling(statement)?;
+            Some((at?, touching))
         }
     });
     let told: Vec<(Term, (Term, Term))> = told.collect();

@@ -1,7 +1,7 @@
 //! Loads of one component: "`$P\,\hat x$` is the force of the hand" counts along x, and so does a letter for a component of
 //! a force that a list has among the only loads on a body.
 
-use super::heads::UNIT_VECTOR;
+use super::heads::{UNIT_VECTOR, UNIT_VECTORS};
 use super::is_load;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
@@ -17,7 +17,10 @@ struct Product {
 
 /// Gives such loads their letter and their direction apart.
 pub(crate) fn direct_loads(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    let units = unit_vectors(declarations, macros);
+    let units = match declarations.iter().any(|d| has_vector(&d.statement)) {
+        true => unit_vectors(declarations, macros),
+        false => vec![],
+    };
     for declaration in declarations.iter_mut() {
         count_backwards(&mut declaration.statement, macros);
     }
@@ -50,6 +53,20 @@ pub(crate) fn direct_loads(declarations: &mut Vec<Declaration>, macros: &Macros)
     for declaration in declarations.iter_mut() {
         take_component(&mut declaration.statement, &counted);
     }
+}
+
+/// Whether it speaks of a load by a product or a sum.
+fn has_vector(statement: &Statement) -> bool {
+    let loads = match statement {
+        Statement::Is { what, .. } => is_load(what.head),
+        Statement::Does { verb, .. } => *verb == "act",
+        _ => false,
+    };
+    let vector = |term: &Term| {
+        let node = term.letter().and_then(Formula::node);
+        node.is_some_and(|node| matches!(node.kind, Kind::Product(_) | Kind::Sum(_)))
+    };
+    loads && statement.subjects().iter().any(vector)
 }
 
 /// The unit vectors and axes of which sentences tell, each as a formula without its marks.
@@ -108,9 +125,7 @@ fn product(formula: &Formula, units: &[(Formula, Term)]) -> Option<Product> {
     })
 }
 
-/// Letters that without the mark of a vector are unit vectors by custom; any other one may be a coordinate.
-const UNIT_VECTORS: [&str; 4] = ["i", "j", "k", "e"];
-
+/// Whether a letter is a unit vector by its mark or by custom; any other one may be a coordinate.
 fn is_written_as_unit(node: &Node) -> bool {
     match &node.kind {
         Kind::Symbol(letter) => {
@@ -229,12 +244,8 @@ fn is_lasting(head: &str) -> bool {
 /// The formula of a load: alone, or beside its noun.
 fn letter_of(load: &Term) -> Option<&Formula> {
     match load {
-        Term::Formula(letter) => Some(letter),
-        Term::Phrase(phrase) if is_load(phrase.head) => match phrase.slot(Slot::Which)? {
-            Term::Formula(letter) => Some(letter),
-            _ => None,
-        },
-        _ => None,
+        Term::Phrase(phrase) if !is_load(phrase.head) => None,
+        load => load.letter(),
     }
 }
 

@@ -9,6 +9,9 @@ macro_rules! heads {
     };
 }
 
+/// Letters that are unit vectors by custom.
+pub(crate) const UNIT_VECTORS: [&str; 4] = ["i", "j", "k", "e"];
+
 heads! {
     /// A number in a sum with a matrix.
     NUMBER_BESIDE_MATRIX = "number beside a matrix";

@@ -4,6 +4,7 @@ use super::heads::{MASS_CENTRE, POSITION, UNIT_VECTOR};
 use super::kinds::name;
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use super::told_sizes::told_size;
 use super::traits::{Trait, has};
 use crate::notation::Macros;
 
@@ -233,27 +234,7 @@ fn laid(statement: &Statement, declarations: &[Declaration]) -> Option<Laid> {
         rod: rod.clone(),
         from: from.clone(),
         along: along.clone(),
-        length: length_of(rod, declarations)?,
-    })
-}
-
-/// The length of a rod by its letter.
-fn length_of(rod: &Term, declarations: &[Declaration]) -> Option<Formula> {
-    declarations.iter().find_map(|d| {
-        let Statement::Is { subjects, what } = &d.statement else {
-            return None;
-        };
-        let length = match subjects.as_slice() {
-            [length] if what.head == "length" => {
-                Some(length).filter(|_| what.slot(Slot::Of) == Some(rod))
-            }
-            _ if subjects.contains(rod) => what.size("length"),
-            _ => None,
-        };
-        match length? {
-            Term::Formula(length) => Some(length.clone()),
-            _ => None,
-        }
+        length: told_size("length", rod, declarations)?.clone(),
     })
 }
 

@@ -90,14 +90,7 @@ fn told_between(declaration: &Declaration) -> Option<Between> {
 
 /// The same load by who exerts it on this body.
 fn by_agent(load: &Term, body: &Term, between: &[Between]) -> Option<Term> {
-    let letter = match load {
-        Term::Formula(letter) => letter,
-        Term::Phrase(load) => match load.slot(Slot::Which)? {
-            Term::Formula(letter) => letter,
-            _ => return None,
-        },
-        _ => return None,
-    };
+    let letter = load.letter()?;
     let (source, opposite) = without_sign(letter);
     let told = between.iter().find(|told| told.letter == source)?;
     let (agent, other) = match opposite {

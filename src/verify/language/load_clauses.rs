@@ -60,6 +60,10 @@ struct Acting<'t> {
 /// The clauses of a sentence that says with what loads things act on others.
 pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let acts = |word: &&str| ACTS.contains(word) || ACTED_ON.contains(word);
+    if !words.iter().any(acts) {
+        return None;
+    }
     let reader = Reader {
         tokens,
         words,
@@ -119,7 +123,7 @@ impl<'t> Reader<'t> {
         (comma + and > 0).then_some(at + comma + and)
     }
 
-    /// What is named from a place on, up to the next preposition; one word where a comma may be missing behind it.
+    /// What is named from a place on, up to the next preposition or sign, and to the next article where it is `short`.
     fn name(&self, at: usize, short: bool) -> Option<(&'t [Token], usize)> {
         let ends = |i: &usize| {
             let sign = self.is(*i, Kind::Comma) || self.is(*i, Kind::Semicolon);
@@ -180,10 +184,8 @@ impl<'t> Reader<'t> {
     fn load_noun(&self, start: usize, end: usize) -> Option<usize> {
         let idle = |i: usize| matches!(self.word(i), "horizontal" | "vertical");
         let first = (start..end).find(|&i| !idle(i))?;
-        (first..end).find_map(|at| {
-            let found = self.lexicon.find(&self.words[at..end], &[Class::Noun])?;
-            (found.entry.is_load() && at + found.length == end && at == first).then_some(first)
-        })
+        let found = self.lexicon.find(&self.words[first..end], &[Class::Noun])?;
+        (found.entry.is_load() && first + found.length == end).then_some(first)
     }
 
     /// "at P", "along x", "in the direction of x": what stands behind the letter of a load.
@@ -321,14 +323,13 @@ impl<'t> Reader<'t> {
             return self.loads(at, acting);
         }
         let (body, behind) = self.name(at, false).filter(|_| acting.body.is_empty())?;
-        let verb = !UPON.contains(&self.word(at)) && ARTICLES.contains(&self.word(at));
         acting.body = body;
-        (verb && self.is_thing(body)).then_some(behind)
+        (ARTICLES.contains(&word) && self.is_thing(body)).then_some(behind)
     }
 }
 
 impl Acting<'_> {
-    /// "`$N$` is the normal force of the floor on the wheel at C along y;" for each load, the last one without the sign.
+    /// "`$N$` is the normal force of the floor on the wheel at C along y;" for each load.
     fn clauses(&self, near: &Token) -> Vec<Token> {
         let word = |text: &str| put_in(Kind::Word, text, near);
         // A capital at the beginning of the sentence makes no name of an article.

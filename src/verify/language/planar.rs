@@ -17,7 +17,7 @@ use super::terms::leave_out;
 use crate::notation::Macros;
 
 /// How the first two axes of a frame are called by custom.
-const LEVEL: [&str; 6] = ["x", "y", "X", "Y", "1", "2"];
+pub(super) const LEVEL: [&str; 6] = ["x", "y", "X", "Y", "1", "2"];
 
 /// Gives what moves in a vertical plane the turn by its angle.
 pub(crate) fn turn_in_planes(declarations: &mut Vec<Declaration>, macros: &Macros) {

@@ -7,6 +7,7 @@ use super::kinds::name;
 use super::planar_axes::vertical;
 use super::reader::formula;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
+use super::told_sizes::told_size;
 use super::wound::{at_rest, is_at_rest, third_axis, winds};
 use crate::notation::Macros;
 
@@ -78,7 +79,7 @@ fn pulley(declarations: &[Declaration]) -> Option<Pulley> {
     }
     let hanging = hanging(&string, declarations)?;
     Some(Pulley {
-        radius: radius(&pulley, declarations)?,
+        radius: told_size("radius", &pulley, declarations)?.source.clone(),
         declaration: declaration.clone(),
         string,
         pulley,
@@ -238,23 +239,6 @@ fn tension_at(
             Term::Formula(letter) => Some(letter.source.clone()),
             _ => None,
         }
-    })
-}
-
-fn radius(pulley: &Term, declarations: &[Declaration]) -> Option<String> {
-    let written = |term: &Term| match term {
-        Term::Formula(letter) => Some(letter.source.clone()),
-        _ => None,
-    };
-    declarations.iter().find_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "radius" => {
-            let own = what.slot(Slot::Of) == Some(pulley);
-            written(subjects.first().filter(|_| own)?)
-        }
-        Statement::Is { subjects, what } if subjects.contains(pulley) => {
-            written(what.size("radius")?)
-        }
-        _ => None,
     })
 }
 

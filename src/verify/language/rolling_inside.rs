@@ -4,14 +4,13 @@
 use super::heads::MASS_CENTRE;
 use super::planar_axes::tells_distance;
 use super::reader::formula;
-use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
+use super::told_sizes::told_size;
 use crate::notation::Macros;
 
 /// What a surface is called on which something is inside, or outside.
 const INNER: [&str; 3] = ["internal", "inner", "inside"];
 const OUTER: [&str; 3] = ["external", "outer", "outside"];
-
-const RADIUS: &str = "radius";
 
 /// Something round that rolls on something round.
 struct Roller<'d> {
@@ -75,11 +74,11 @@ fn distance(
         return None;
     }
     let (own, other) = (
-        radius(roller.body, declarations)?,
-        radius(roller.on, declarations)?,
+        told_size("radius", roller.body, declarations)?,
+        told_size("radius", roller.on, declarations)?,
     );
     let sign = if roller.inside { "-" } else { "+" };
-    let written = format!("{other}{sign}{own}");
+    let written = format!("{}{sign}{}", other.source, own.source);
     let letter = Term::Formula(formula(&written, false, macros)?);
     let slots = vec![
         (Slot::Of, centre.clone()),
@@ -128,27 +127,8 @@ fn middle<'d>(surface: &Term, declarations: &'d [Declaration]) -> Option<&'d Ter
             subjects,
             verb: "pass",
             slots,
-        } if subjects.iter().all(axis) => super::statement::slot(slots, Slot::Through),
+        } if subjects.iter().all(axis) => slot(slots, Slot::Through),
         _ => None,
     });
     through.or_else(|| centre(surface, declarations))
-}
-
-/// The letter of the radius of a thing.
-fn radius(thing: &Term, declarations: &[Declaration]) -> Option<String> {
-    declarations.iter().find_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == RADIUS => {
-            let own = what.slot(Slot::Of) == Some(thing);
-            written(subjects.first().filter(|_| own)?)
-        }
-        Statement::Is { subjects, what } if subjects.contains(thing) => written(what.size(RADIUS)?),
-        _ => None,
-    })
-}
-
-fn written(term: &Term) -> Option<String> {
-    match term {
-        Term::Formula(letter) => Some(letter.source.clone()),
-        _ => None,
-    }
 }

@@ -12,6 +12,20 @@ const SIGNS: [&str; 2] = ["positive", "negative"];
 /// What does something, and what hangs on the verb.
 pub(crate) type Doing<'s> = (&'s [Term], &'s [(Slot, Term)]);
 
+impl Term {
+    /// The formula that a term is, or that stands beside its noun.
+    pub(crate) fn letter(&self) -> Option<&Formula> {
+        match self {
+            Self::Formula(letter) => Some(letter),
+            Self::Phrase(phrase) => match phrase.slot(Slot::Which)? {
+                Self::Formula(letter) => Some(letter),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
 impl Statement {
     /// What a clause is about.
     pub(crate) fn subjects(&self) -> &[Term] {

@@ -203,14 +203,7 @@ fn turn(told: &Unwinding, declarations: &[Declaration], macros: &Macros) -> Opti
         (Slot::About, axis(ABOUT, Some(&told.ground))),
     ];
     if let Some(angle) = angle {
-        let letter = match angle {
-            Term::Formula(letter) => letter,
-            Term::Phrase(angle) => match angle.slot(Slot::Which)? {
-                Term::Formula(letter) => letter,
-                _ => return None,
-            },
-            _ => return None,
-        };
+        let letter = angle.letter()?;
         let by = match told.down {
             true => formula(&format!("-{}", letter.source), false, macros)?,
             false => letter.clone(),

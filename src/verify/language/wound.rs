@@ -2,13 +2,11 @@
 
 use super::heads::VERTICAL;
 use super::kinds::name;
+use super::planar::LEVEL;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// Verbs of strings that unwind, with what the body is to them.
 const WOUND: [(&str, Slot); 2] = [("unwind", Slot::From), ("wind", Slot::On)];
-
-/// Names by custom of the axes that are level where no sentence says which one is vertical.
-const LEVEL: [&str; 6] = ["x", "y", "X", "Y", "1", "2"];
 
 /// "The string unwinds from the axle", "the string is wound on the axle"
 pub(super) fn winds(statement: &Statement) -> Option<(&Term, &Term)> {

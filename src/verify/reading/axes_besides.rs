@@ -1,7 +1,7 @@
 //! Letters of which nothing else is told, and that are called as axes are: they may be the unit vectors along these.
 
 use crate::notation::ast::{Kind, Node, Style, Symbol};
-use crate::verify::language::heads::VERTICAL;
+use crate::verify::language::heads::{UNIT_VECTORS, VERTICAL};
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, slot};
 use crate::verify::model::atoms::{Key, Nature, Space};
 use crate::verify::model::system::{Axis, FrameId, Turn};
@@ -214,9 +214,6 @@ impl Builder<'_> {
         known.is_some_and(|letter| atoms.atom(letter).nature != Nature::Unknown)
     }
 }
-
-/// Letters that with the mark of a vector are unit vectors by custom.
-const UNIT_VECTORS: [&str; 4] = ["i", "j", "k", "e"];
 
 /// Whether a letter that is called as an axis can be nothing but the unit vector along it: by its hat, or by custom.
 fn is_unit_vector(letter: &Node) -> bool {

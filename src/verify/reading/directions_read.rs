@@ -195,21 +195,23 @@ impl<'d> Builder<'d> {
 
     /// A vector over its length, where that is a number.
     pub(super) fn unit_along(&mut self, along: Vector) -> Option<Vector> {
-        let atoms = &mut self.reading.system.atoms;
-        let square = Facts::default().normal(atoms, &along.dot(&along)).ok()?;
-        square.to_rational().filter(|number| !number.is_zero())?;
-        let length = atoms.root(&square)?;
-        Some(along / length)
+        self.over_length(along, |square| square.to_rational().is_some())
     }
 
-    /// The same, where the length may be anything but zero.
+    /// A vector over its length, which may be told by letters.
     fn unit_of_any_length(&mut self, along: Vector) -> Option<Vector> {
+        self.over_length(along, |_| true)
+    }
+
+    fn over_length(
+        &mut self,
+        along: Vector,
+        allowed: impl Fn(&Fraction) -> bool,
+    ) -> Option<Vector> {
         let atoms = &mut self.reading.system.atoms;
         let square = Facts::default().normal(atoms, &along.dot(&along)).ok()?;
-        if square.to_rational().is_some_and(|number| number.is_zero()) {
-            return None;
-        }
-        let length = atoms.root(&square)?;
+        let zero = square.to_rational().is_some_and(|number| number.is_zero());
+        let length = atoms.root(&square).filter(|_| !zero && allowed(&square))?;
         Some(along / length)
     }
 }

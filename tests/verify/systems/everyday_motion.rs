@@ -153,7 +153,7 @@ const SHAFT: &str = r"
 K is an inertial frame and R is a frame fixed in the rotor.
 The axes of R are $i$, $j$, $k$.
 The rotor is a rigid body of mass $m$ that turns relative to K about $k$ at the constant rate $w$.
-It is carried by two bearings, P and Q, on the axis of rotation; P is fixed in K and in R, and Q is at the distance $c$ from P along $k$.
+P and Q are points; P is fixed in K and in R, and Q is at the distance $c$ from P along $k$.
 The mass centre of the rotor is placed from P by $e\,i+h\,k$.
 The force of the bearing P on the rotor has the components $a$ and $b$ along $i$ and $j$, and that of the bearing Q has the components $p$ and $q$.
 No other loads act on the rotor; its weight is neglected.
@@ -179,8 +179,8 @@ The ramp is a plane fixed in K that makes the angle $\beta$ with the horizontal.
 W is a uniform solid cylinder of mass $m$ and radius $b$ with its axis horizontal.
 W rolls straight down the ramp without slipping.
 P is the point where W touches the ramp, and C is the mass centre of W.
-$v$ is the speed of C down the ramp, and $w$ is the angular speed of W in the sense in which it rolls.
-At P the ramp exerts on W the friction force $F$ up the ramp and the normal force $N$ away from the ramp.
+$v$ is the speed of C down the ramp, and $w$ is the angular velocity of W.
+$F$ is the friction of the ramp on W at P, and $N$ is the normal force of the ramp on W at P.
 Apart from the weight no other load acts on W.
 $g$ is the acceleration of gravity.
 ";
@@ -224,7 +224,7 @@ K is an inertial frame.
 E is a frame fixed in the plate, whose axes are $i$, $j$, $k$.
 The plate is a uniform thin rectangle of mass $m$ with its centre at C and with sides $2a$ along $i$ and $2b$ along $j$.
 C is at rest in K.
-The diagonal through C along $ai+bj$ is fixed in K, and the plate turns about it at the constant rate $w$.
+The plate turns relative to K about the axis through C along $ai+bj$ at the constant rate $w$.
 $\vec\omega$ is the angular velocity of the plate relative to K.
 $\vec L$ is the angular momentum of the plate about C relative to K.
 ";
