@@ -12,6 +12,7 @@
 //! about all of it. English stands nowhere else.
 
 mod absences;
+mod absolute_motions;
 mod across_planes;
 mod acting;
 pub(crate) mod adjectives;
@@ -158,6 +159,7 @@ mod told_there_alone;
 mod told_vectors;
 pub(crate) mod traits;
 mod triads;
+mod turn_clauses;
 mod turned_frames;
 mod turned_lines;
 mod turned_triads;

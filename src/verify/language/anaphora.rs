@@ -140,6 +140,15 @@ fn its(tokens: &[Token], subject: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
     let named = axis && letter.is_some_and(|t| t.kind == Kind::Word);
     let (noun, behind) = rest.split_at(end + usize::from(named));
     let [the, of] = ["the", "of"].map(|word| put_in(Kind::Word, word, first));
+    // "its mass is `$m$` and its radius is `$a$`" speaks of one thing
+    let and = behind
+        .windows(2)
+        .position(|pair| matches!(pair[0].lower.as_str(), "and") && pair[1].lower == first.lower);
+    let again = and.filter(|_| at == 0).and_then(|and| {
+        let (before, next) = behind.split_at(and + 1);
+        Some([before, &its(next, subject, lexicon)?].concat())
+    });
+    let behind = again.as_deref().unwrap_or(behind);
     Some([&tokens[..at], &[the], noun, &[of], subject, behind].concat())
 }
 

@@ -54,7 +54,7 @@ pub(crate) fn name_fixed_axes(declarations: &mut Vec<Declaration>, macros: &Macr
 }
 
 /// The inertial frame, where there is one.
-fn inertial_frame(declarations: &[Declaration]) -> Option<Term> {
+pub(super) fn inertial_frame(declarations: &[Declaration]) -> Option<Term> {
     let mut frames = declarations.iter().filter_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "frame" && what.is("inertial") => {
             subjects.first()

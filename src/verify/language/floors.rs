@@ -2,6 +2,7 @@
 
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use std::collections::BTreeSet;
 
 /// Things that are level planes by their nouns.
 const LEVEL: [&str; 2] = ["floor", "table"];
@@ -9,9 +10,15 @@ const LEVEL: [&str; 2] = ["floor", "table"];
 /// What a body does on a plane.
 const ON_PLANES: [&str; 3] = ["roll", "slide", "touch"];
 
-/// Says of each floor on which something rolls or slides that it is a level plane, where no sentence says what it is.
+/// Says of each floor on which something rolls or slides, and of what is called horizontal there, that it is a level plane,
+/// where no sentence says what it is.
 pub(crate) fn lay_floors(declarations: &mut Vec<Declaration>) {
-    for floor in LEVEL {
+    let said = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "horizontal" => name(subjects.first()?),
+        _ => None,
+    });
+    let level: BTreeSet<String> = said.chain(LEVEL.map(str::to_owned)).collect();
+    for floor in level.iter().map(String::as_str) {
         let Some(at) = declarations.iter().position(|d| is_moved_on(d, floor)) else {
             continue;
         };

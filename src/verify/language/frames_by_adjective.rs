@@ -7,6 +7,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Adjectives that tell a frame from the inertial one.
 const TELLING: [&str; 2] = ["rotating", "body-fixed"];
 
+/// Those by which a frame may be called that has no other name.
+const CALLING: [&str; 5] = ["world", "laboratory", "orbital", "wind", "local"];
+
 /// What is said of a frame that it may be told of by its adjective.
 const SAID: [&str; 2] = ["fixed", "frame"];
 
@@ -14,6 +17,7 @@ const SAID: [&str; 2] = ["fixed", "frame"];
 /// a body, or one of its own where a sentence says what the frame is fixed in.
 pub(super) fn name_frames(declarations: &mut Vec<Declaration>) {
     declarations.retain(|d| !is_of_axes_that_meet(&d.statement));
+    tell_body_frames(declarations);
     let only = only_frame_of_bodies(declarations);
     let mut names: BTreeMap<&'static str, String> = BTreeMap::new();
     for declaration in declarations.iter() {
@@ -28,6 +32,9 @@ pub(super) fn name_frames(declarations: &mut Vec<Declaration>) {
     }
     if let (Some(only), true) = (only, names.is_empty()) {
         names.extend(TELLING.map(|adjective| (adjective, only.clone())));
+    }
+    for adjective in CALLING {
+        names.extend(called_by(adjective, declarations).map(|name| (adjective, name)));
     }
     for declaration in declarations.iter_mut() {
         if let Statement::Is { what, .. } = &mut declaration.statement {
@@ -50,6 +57,92 @@ fn is_of_axes_that_meet(statement: &Statement) -> bool {
             subjects.iter().all(axes) && slots.iter().all(|(slot, _)| *slot == Slot::At)
         }
         None => false,
+    }
+}
+
+/// "The frame of the body", where nothing is called the body, is the body-fixed one.
+fn tell_body_frames(declarations: &mut [Declaration]) {
+    let the_body = |term: &Term| name(term).is_some_and(|name| name == "body");
+    let told = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, .. } => subjects.iter().any(the_body),
+        _ => false,
+    };
+    for declaration in declarations.iter_mut() {
+        tell_subject(&mut declaration.statement);
+    }
+    if declarations.iter().any(told) {
+        return;
+    }
+    for term in declarations
+        .iter_mut()
+        .flat_map(|d| d.statement.terms_mut())
+    {
+        tell_body_frame(term);
+    }
+}
+
+/// "The orbital frame is fixed in A" was taken for a premise about frames: it is about one.
+fn tell_subject(statement: &mut Statement) {
+    let Statement::Premise(premise) = statement else {
+        return;
+    };
+    let ([kinds @ .., said], "frame") = (premise.adjectives.as_slice(), premise.head) else {
+        return;
+    };
+    let of: Vec<(Slot, Term)> = premise
+        .slots
+        .iter()
+        .filter(|(slot, _)| *slot == Slot::Of)
+        .cloned()
+        .collect();
+    let calls = |kind: &&str| TELLING.contains(kind) || CALLING.contains(kind);
+    if kinds.iter().all(calls) && kinds.len() + of.len() == 1 {
+        let mut what = NounPhrase::new(said, premise.slots.clone());
+        what.slots.retain(|(slot, _)| *slot != Slot::Of);
+        let mut frame = NounPhrase::new("frame", of);
+        frame.adjectives = kinds.to_vec();
+        *statement = Statement::one_is(Term::Phrase(Box::new(frame)), what);
+    }
+}
+
+fn tell_body_frame(term: &mut Term) {
+    let Term::Phrase(phrase) = term else {
+        return;
+    };
+    let of_body = match phrase.slots.as_slice() {
+        [(Slot::Of, Term::Name(body))] => body == "body",
+        [(Slot::Of, Term::Phrase(body))] => body.head == "body" && body.slots.is_empty(),
+        _ => false,
+    };
+    if of_body && phrase.adjectives.is_empty() && matches!(phrase.head, "frame" | "axes") {
+        phrase.slots.clear();
+        phrase.adjectives.push("body-fixed");
+    }
+    phrase
+        .slots
+        .iter_mut()
+        .for_each(|(_, inner)| tell_body_frame(inner));
+}
+
+/// The name of the frame that is called by an adjective: another one that a sentence gives it, or that.
+fn called_by(adjective: &'static str, declarations: &[Declaration]) -> Option<String> {
+    let called = |term: &&Term| match term {
+        Term::Phrase(phrase) => phrase.head == "frame" && phrase.adjectives == [adjective],
+        _ => false,
+    };
+    let named = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" && what.is(adjective) => {
+            Some(subjects)
+        }
+        _ => None,
+    });
+    let names: BTreeSet<String> = named.flatten().filter_map(name).collect();
+    let mut all = declarations.iter().flat_map(|d| d.statement.terms());
+    let spoken_of = all.any(|term| called(&term));
+    match names.len() {
+        0 => spoken_of.then(|| format!("{adjective} frame")),
+        1 => names.into_iter().next(),
+        _ => None,
     }
 }
 

@@ -6,6 +6,7 @@ use super::heads::{EULER_ANGLES, POSITION};
 use super::lexicon::{Class, Lexicon};
 use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
+use super::traits::Trait;
 use super::{is_body, is_thing};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
@@ -192,9 +193,31 @@ pub(crate) fn name_positions(declarations: &mut [Declaration]) {
     }
 }
 
-/// "The rod is a uniform body of length `$l$`": what is called a rod is one.
+/// "The rod is a uniform body of length `$l$`": what is called a rod is one. Where nothing else says what the disc is, "the
+/// disc is uniform" says it.
 pub(crate) fn shape_by_name(declarations: &mut [Declaration], lexicon: &Lexicon) {
+    let shaped = |statement: &Statement| match statement {
+        Statement::Is { subjects, what } => {
+            Some(subjects.clone()).filter(|_| lexicon.entry(what.head, &[Class::Thing]).is_some())
+        }
+        _ => None,
+    };
+    let shaped: Vec<Vec<Term>> = declarations
+        .iter()
+        .filter_map(|d| shaped(&d.statement))
+        .collect();
     for declaration in declarations {
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && what.head == "uniform"
+            && what.slots.is_empty()
+            && !shaped.contains(subjects)
+            && let [Term::Name(called)] = subjects.as_slice()
+            && let Some(thing) = lexicon.entry(called, &[Class::Thing])
+            && thing.traits.has(Trait::Shape)
+        {
+            what.head = "body";
+            what.adjectives.push("uniform");
+        }
         if let Statement::Is { subjects, what } = &mut declaration.statement
             && what.head == "body"
             && what.is("uniform")

@@ -4,6 +4,7 @@
 use super::lexicon::{Class, Lexicon};
 use super::reader::ARTICLES;
 use super::rewrite::put_in;
+use super::traits::Trait;
 use super::words::{Kind, Token};
 
 /// Verbs of what loads another thing.
@@ -39,9 +40,10 @@ const ENDS: [&str; 14] = [
 const UPON: [&str; 5] = ["on", "upon", "against", "to", "onto"];
 
 /// A load with its letter: what it is, where it acts, and along what; or with the letters of its components.
+#[derive(Clone)]
 struct Load<'t> {
     noun: &'t [Token],
-    letter: &'t [Token],
+    letter: Vec<Token>,
     at: &'t [Token],
     along: Vec<Token>,
     components: bool,
@@ -90,10 +92,19 @@ pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
             return Some(clauses);
         }
         at = reader.joint(behind)?;
-        acting = Acting {
+        let next = Acting {
             body: acting.body,
             ..Acting::default()
         };
+        let before = std::mem::replace(&mut acting, next);
+        if UPON.contains(&reader.word(at)) {
+            at = reader.on_another(at, before, &mut acting)?;
+            clauses.extend(acting.clauses(&tokens[0]));
+            if at == tokens.len() {
+                return Some(clauses);
+            }
+            at = reader.joint(at)?;
+        }
     }
 }
 
@@ -147,7 +158,7 @@ impl<'t> Reader<'t> {
         let noun = self.load_noun(start, letter)?;
         let mut load = Load {
             noun: &self.tokens[noun..letter],
-            letter: &self.tokens[letter..=letter],
+            letter: self.tokens[letter..=letter].to_vec(),
             at: &[],
             along: vec![],
             components: false,
@@ -171,7 +182,7 @@ impl<'t> Reader<'t> {
         });
         let load = Load {
             noun: &self.tokens[noun..whose],
-            letter: &self.tokens[are + 1..end],
+            letter: self.tokens[are + 1..end].to_vec(),
             at: &[],
             along: self.tokens[whose + 2..are].to_vec(),
             components: true,
@@ -242,8 +253,9 @@ impl<'t> Reader<'t> {
         if self.load(at).is_some() {
             return Some((self.of_loads(at, acting)?, false));
         }
-        let (agent, verb) = self.name(at, false)?;
+        let (agent, end) = self.name(at, false)?;
         self.is_thing(agent).then_some(())?;
+        let (place, verb) = self.place_of_agent(end).unwrap_or((&[], end));
         if self.word(verb) == "with" {
             acting.agent = agent;
             return Some((self.loads(verb + 1, acting)?, true));
@@ -263,7 +275,41 @@ impl<'t> Reader<'t> {
         while let Some(behind) = self.part(at, acting) {
             at = behind;
         }
+        if acting.at.is_empty() && acting.loads.iter().all(|load| self.is_force(load)) {
+            acting.at = place;
+        }
         Some((at, false))
+    }
+
+    /// "The motor at O acts on …": where what acts is, and where the verb stands.
+    fn place_of_agent(&self, at: usize) -> Option<(&'t [Token], usize)> {
+        let (place, verb) = self.name(at + 1, false)?;
+        (self.word(at) == "at" && ACTS.contains(&self.word(verb))).then_some((place, verb))
+    }
+
+    /// Whether a load acts at a point.
+    fn is_force(&self, load: &Load<'t>) -> bool {
+        let words: Vec<&str> = load.noun.iter().map(|t| t.lower.as_str()).collect();
+        let noun = self.lexicon.find(&words, &[Class::Noun]);
+        noun.is_some_and(|noun| noun.entry.traits.has(Trait::Force))
+    }
+
+    /// "… and on the arm with the opposite moment": what acted in the clause before acts on another body as well.
+    fn on_another(&self, at: usize, before: Acting<'t>, acting: &mut Acting<'t>) -> Option<usize> {
+        let (body, with) = self.name(at + 1, true)?;
+        (acting.agent, acting.body) = (before.agent, body);
+        let opposite = [1, 2].map(|i| self.word(with + i)) == ["the", "opposite"];
+        (self.word(with) == "with").then_some(())?;
+        if !opposite {
+            return self.loads(with + 1, acting);
+        }
+        let noun = self.load_noun(with + 3, with + 4)?;
+        acting.loads = before.loads;
+        acting.along = before.along;
+        for letter in acting.loads.iter_mut().flat_map(|load| &mut load.letter) {
+            letter.text.insert(0, '-');
+        }
+        (acting.loads.len() == 1).then_some(noun + 1)
     }
 
     /// "The force `$F$` along x and the force `$R$` along y act on the rod at A."
@@ -362,7 +408,7 @@ impl Acting<'_> {
                 false => (vec![], along.clone()),
             };
             [
-                load.letter,
+                load.letter.as_slice(),
                 &is,
                 &components,
                 load.noun,

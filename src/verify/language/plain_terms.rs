@@ -1,5 +1,6 @@
 //! What sentences say in the terms that the model has: one pass after another, each brings one way to say a thing to the plain one.
 
+use super::absolute_motions::tell_absolute_motions;
 use super::across_planes::name_axes_across;
 use super::angles_about::place_by_angles;
 use super::at_zero::tell_axes_at_zero;
@@ -79,7 +80,7 @@ use super::together::join_together;
 use super::told_anew::part_points_told_anew;
 use super::told_in_parts::say_in_parts;
 use super::told_there_alone::tell_frames_of_parts;
-use super::told_vectors::turn_about_told_vectors;
+use super::told_vectors::{turn_about_told_vectors, turn_at_told_rates};
 use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
@@ -150,6 +151,7 @@ fn name_things(
     tell_disturbed(&mut declarations);
     tell_normals(&mut declarations);
     end_the_same(&mut declarations);
+    tell_absolute_motions(&mut declarations);
     share_owners(&mut declarations);
     tell_the_same(&mut declarations);
     tell_columns(&mut declarations);
@@ -166,6 +168,7 @@ fn name_things(
 fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
     place_by_angles(declarations, macros);
     name_triads(declarations);
+    turn_at_told_rates(declarations);
     tell_turning(declarations);
     tell_matrices(declarations);
     name_plainly(declarations);

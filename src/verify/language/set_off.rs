@@ -17,14 +17,16 @@ fn clauses(tokens: &[Token]) -> impl Iterator<Item = (usize, usize)> + '_ {
     })
 }
 
-/// What may stand in front of a clause, for each place where that may end, and the rest.
+/// What may stand in front of a clause, for each place where that may end, and the rest: a comma is the likeliest end.
 fn fronts<'t>(
     clause: &'t [Token],
     lexicon: &Lexicon,
 ) -> impl Iterator<Item = (&'t [Token], &'t [Token])> {
     let ends =
         preposition(clause, lexicon).map(|length| length + 1..clause.len().min(LONGEST_FRONT));
-    ends.into_iter().flatten().map(|end| {
+    let mut ends: Vec<usize> = ends.into_iter().flatten().collect();
+    ends.sort_by_key(|&end| clause[end].kind != Kind::Comma);
+    ends.into_iter().map(|end| {
         let (front, rest) = clause.split_at(end);
         let comma = usize::from(rest[0].kind == Kind::Comma);
         (front, &rest[comma..])

@@ -150,3 +150,75 @@ fn is_factor(product: &Node, letter: &Formula) -> bool {
         .children()
         .any(|factor| Formula::of(factor).source == letter.source)
 }
+
+/// "`$w k$` is the angular velocity of B relative to N", where k is an axis of one of the two: B turns about k at the rate w.
+pub(super) fn turn_at_told_rates(declarations: &mut [Declaration]) {
+    let axes: Vec<(Formula, Term)> = declarations
+        .iter()
+        .flat_map(|d| axes_of(&d.statement))
+        .collect();
+    let turned: Vec<Term> = declarations
+        .iter()
+        .filter_map(|d| d.statement.does("turn"))
+        .flat_map(|(subjects, _)| subjects.to_vec())
+        .collect();
+    for declaration in declarations {
+        let turn = told_turn(&declaration.statement, &axes);
+        if let Some((body, turn)) = turn.filter(|(body, _)| !turned.contains(body)) {
+            declaration.statement = Statement::Does {
+                subjects: vec![body],
+                verb: "turn",
+                slots: turn,
+            };
+        }
+    }
+}
+
+/// The letters of the axes of a frame, each with it.
+fn axes_of(statement: &Statement) -> Vec<(Formula, Term)> {
+    let Statement::Is { subjects, what } = statement else {
+        return vec![];
+    };
+    let frame = what.slot(Slot::Of).filter(|_| what.head == "axes");
+    let letter = |subject: &Term| match subject {
+        Term::Formula(letter) => Some((letter.clone(), frame?.clone())),
+        _ => None,
+    };
+    subjects.iter().filter_map(letter).collect()
+}
+
+/// What turns by such a sentence, and how.
+fn told_turn(statement: &Statement, axes: &[(Formula, Term)]) -> Option<(Term, Vec<(Slot, Term)>)> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([Term::Formula(product)], ANGULAR_VELOCITY, 2, []) = (
+        subjects.as_slice(),
+        what.head,
+        what.slots.len(),
+        what.adjectives.as_slice(),
+    ) else {
+        return None;
+    };
+    let (body, base) = (what.slot(Slot::Of)?, what.slot(Slot::RelativeTo)?);
+    let node = product
+        .node()
+        .filter(|node| matches!(node.kind, Kind::Product(_)))?;
+    let factors: Vec<Formula> = node.children().map(Formula::of).collect();
+    let axis = |factor: &Formula| {
+        axes.iter().find(|(letter, frame)| {
+            alike(letter).source == factor.source && (frame == body || frame == base)
+        })
+    };
+    let (rate, (letter, _)) = match factors.as_slice() {
+        [rate, vector] => (rate, axis(vector)?),
+        _ => return None,
+    };
+    let rate = NounPhrase::new("rate", vec![(Slot::Which, Term::Formula(rate.clone()))]);
+    let slots = vec![
+        (Slot::RelativeTo, base.clone()),
+        (Slot::About, Term::Formula(letter.clone())),
+        (Slot::At, Term::Phrase(Box::new(rate))),
+    ];
+    Some((body.clone(), slots))
+}

@@ -14,6 +14,7 @@ use super::rewrite::{plainly, said_first};
 use super::set_off::{front_behind_subject, fronted, without_commas};
 use super::statement::Misread;
 use super::told_apart::told_apart;
+use super::turn_clauses::{turns_apart, turns_named};
 use super::values_at_which::value_at_which;
 use super::words::Token;
 use std::collections::BTreeSet;
@@ -49,12 +50,17 @@ pub(crate) fn understood(
 ) -> Result<Vec<Said>, Misread> {
     let said = said_first(tokens);
     let tokens = said.as_deref().unwrap_or(tokens);
-    let apart = loads_apart(tokens, lexicon);
+    let apart = loads_apart(tokens, lexicon).or_else(|| turns_named(tokens));
     let tokens = apart.as_deref().unwrap_or(tokens);
     let first = match strictly(tokens) {
         Ok(said) => return Ok(said),
         Err(stuck) => stuck.error,
     };
+    let turns = turns_apart(tokens, lexicon);
+    let tokens = turns.as_deref().unwrap_or(tokens);
+    if let Some(Ok(said)) = turns.as_deref().map(strictly) {
+        return Ok(said);
+    }
     if tokens.len() > LONGEST_JOINED {
         return Err(first);
     }
