@@ -53,6 +53,22 @@ fn what_is_no_text_file_is_refused_with_the_reason() {
     refused(&path, "is UTF-16; save it as UTF-8");
 }
 
+#[test]
+fn a_byte_order_mark_is_no_text() {
+    let text = "Then\n\n$$ L_x = I_x \\omega_x $$\n";
+    let (_folder, path) = document(text.as_bytes());
+    let (_other, marked) = document(format!("\u{feff}{text}").as_bytes());
+    let told = |path: &Path| {
+        let (code, stdout, stderr) = check(path);
+        (
+            code,
+            stdout.replace(&path.display().to_string(), ""),
+            stderr,
+        )
+    };
+    assert_eq!(told(&marked), told(&path));
+}
+
 #[cfg(unix)]
 #[test]
 fn a_device_that_never_ends_is_refused() {
