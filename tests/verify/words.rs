@@ -17,8 +17,12 @@ fn verdicts(text: &str) -> String {
 
 /// The role of a line about known letters behind a sentence; all but a definition of a component says something of it.
 fn role(sentence: &str) -> &'static str {
+    role_of_last(&format!("{sentence}\n\n$$ \\omega_x = 2A $$\n"))
+}
+
+fn role_of_last(text: &str) -> &'static str {
     let known = "The axes are fixed in the body, and its principal moments are $A$, $B$, $C$.";
-    let report = checked(&format!("{known}\n\n{sentence}\n\n$$ \\omega_x = 2A $$\n"));
+    let report = checked(&format!("{known}\n\n{text}"));
     report.findings.last().expect("a line").role.name()
 }
 
@@ -44,7 +48,6 @@ fn the_sentence_sets_the_role() {
         ("For $c = 0$ the second line must fall back to", "claim"),
         ("For $s > 0$ we may also write", "claim"),
         ("Solved for the acceleration,", "claim"),
-        ("If the spin is kept at constant $s$, that is", "assume"),
         ("With $s = 0$ the rate of the spin is", "claim"),
         ("The rule for $s$ is s $a+b$ t $b+c$. u $a+c$", "claim"),
         ("For $s$ the rate is $a+b$. Now assume", "assume"),
@@ -57,6 +60,11 @@ fn the_sentence_sets_the_role() {
     ];
     let found = cases.map(|(sentence, _)| (sentence, role(sentence)));
     assert_eq!(found, cases);
+    // In the sentence itself it is another condition, and apart from it what follows.
+    let condition = "If the spin is kept at constant $s$, that is";
+    let within = format!("{condition} $\\omega_x = 2A$, it is steady.");
+    assert_eq!(role_of_last(&within), "assume");
+    assert_eq!(role(condition), "claim");
 }
 
 #[test]

@@ -75,7 +75,8 @@ impl Tally {
     fn middle(&self) -> (f64, f64) {
         let tenths = |number: f64| (number * 10.0).round() / 10.0;
         let counts = self.marks.iter();
-        let sum: f64 = counts.map(|(marks, n)| marks.to_f64() * *n as f64).sum();
+        // From zero, as the sum of no numbers is -0.
+        let sum = counts.fold(0.0, |sum, (marks, n)| sum + marks.to_f64() * *n as f64);
         let at = |place: usize| {
             let mut counts = self.marks.iter().scan(0, |before, (marks, n)| {
                 *before += n;
