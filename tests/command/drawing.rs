@@ -18,13 +18,14 @@ fn underlined(drawn: &str) -> usize {
 
 #[test]
 fn whole_lines_are_shown_around_a_place() {
-    let drawn = drawn("one\ntwo α\nthree\nfour", 8, 13);
+    let drawn = drawn("one\ntwo α\nthree\nfour\nfive", 8, 13);
     for (line, is_shown) in [
         ("one", false),
         ("2 |", true),
         ("two α", true),
         ("three", true),
         ("four", false),
+        ("five", false),
     ] {
         assert_eq!(drawn.contains(line), is_shown, "{line}: {drawn}");
     }
