@@ -60,11 +60,8 @@ fn a_byte_order_mark_is_no_text() {
     let (_other, marked) = document(format!("\u{feff}{text}").as_bytes());
     let told = |path: &Path| {
         let (code, stdout, stderr) = check(path);
-        (
-            code,
-            stdout.replace(&path.display().to_string(), ""),
-            stderr,
-        )
+        let nameless = |text: String| text.replace(&path.display().to_string(), "");
+        (code, nameless(stdout), nameless(stderr))
     };
     let plain = told(&path);
     assert!(format!("{plain:?}").contains("nonsense"), "{plain:?}");
