@@ -60,7 +60,8 @@ pub mod grade;
 #[cfg(feature = "verify")]
 pub mod notation;
 #[cfg(feature = "verify")]
-mod recent;
+#[doc(hidden)]
+pub mod recent;
 #[cfg(feature = "cli")]
 pub mod report;
 #[cfg(feature = "scene")]

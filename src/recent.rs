@@ -7,14 +7,14 @@ use std::mem;
 
 mod digest;
 
-pub(crate) use digest::Digest;
+pub use digest::Digest;
 
 /// A map that forgets what was not asked for lately.
 ///
 /// It has two halves. When the new one is full it becomes the old one, and what was left in the old one is forgotten; what
 /// is found in the old one moves into the new. So what is common stays, whatever comes between.
 #[derive(Debug)]
-pub(crate) struct Recent<K, V> {
+pub struct Recent<K, V> {
     /// What the values of one half may weigh together.
     most: usize,
     weight: usize,
@@ -24,7 +24,7 @@ pub(crate) struct Recent<K, V> {
 
 impl<K: Eq + Hash, V: Clone> Recent<K, V> {
     /// An empty one whose values weigh so much at most.
-    pub(crate) fn of(most: usize) -> Self {
+    pub fn of(most: usize) -> Self {
         Self {
             most: most / 2,
             weight: 0,
@@ -34,7 +34,7 @@ impl<K: Eq + Hash, V: Clone> Recent<K, V> {
     }
 
     /// The value of a key.
-    pub(crate) fn get<Q: Eq + Hash + ?Sized>(&mut self, key: &Q) -> Option<V>
+    pub fn get<Q: Eq + Hash + ?Sized>(&mut self, key: &Q) -> Option<V>
     where
         K: Borrow<Q>,
     {
@@ -47,38 +47,12 @@ impl<K: Eq + Hash, V: Clone> Recent<K, V> {
     }
 
     /// Keeps a value of this weight.
-    pub(crate) fn insert(&mut self, key: K, value: V, weight: usize) {
+    pub fn insert(&mut self, key: K, value: V, weight: usize) {
         if self.weight + weight > self.most {
             self.old = mem::take(&mut self.new);
             self.weight = 0;
         }
         self.weight += weight;
         self.new.insert(key, (value, weight));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Recent;
-
-    #[test]
-    fn what_is_asked_for_stays_and_the_rest_is_forgotten() {
-        let mut kept = Recent::of(20);
-        kept.insert(0, "common", 1);
-        for key in 1..100 {
-            kept.insert(key, "rare", 1);
-            assert_eq!(kept.get(&0), Some("common"));
-        }
-        assert_eq!((kept.get(&99), kept.get(&50)), (Some("rare"), None));
-        assert!(kept.new.len() + kept.old.len() <= 20);
-    }
-
-    #[test]
-    fn what_weighs_much_takes_the_place_of_many() {
-        let mut kept = Recent::of(20);
-        (0..10).for_each(|key| kept.insert(key, (), 1));
-        kept.insert(10, (), 10);
-        kept.insert(11, (), 10);
-        assert_eq!((kept.get(&0), kept.get(&11)), (None, Some(())));
     }
 }

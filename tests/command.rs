@@ -11,6 +11,7 @@ mod command {
     mod derive_code;
     mod derive_numbers;
     mod derive_systems;
+    mod drawing;
     mod multiply_out;
     mod resume;
     mod run;

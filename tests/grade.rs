@@ -6,6 +6,7 @@ mod grade {
     mod class;
     mod command;
     mod effort;
+    mod elements;
     mod exercise;
     mod feedback;
     mod hostile;
@@ -17,6 +18,7 @@ mod grade {
     mod runs;
     mod spread;
     mod submissions;
+    mod written;
 
     use polhode::grade::{Graded, Key, Work, mark};
     use polhode::notation::document::Format;

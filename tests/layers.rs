@@ -8,7 +8,7 @@ mod layers {
     use super::{named, named_behind};
 }
 
-use layers::source::files;
+use layers::source::{Source, files};
 use std::{fs, path::Path};
 
 /// A module and the modules that it may name. What is not listed is not allowed.
@@ -105,6 +105,21 @@ fn every_file_is_one_idea() {
         .filter(|(lines, _)| *lines > LIMIT)
         .collect();
     assert!(long.is_empty(), "over {LIMIT} lines: {long:?}");
+}
+
+/// Cargo builds the library once, and not again with tests in it: those would never run.
+#[test]
+fn the_tests_of_the_library_stand_beside_it() {
+    let tested = |source: &Source| {
+        let mut marks = ["#[test]", "cfg(test", "cfg(all(test", "cfg(any(test"].into_iter();
+        marks.any(|mark| source.code.contains(mark))
+    };
+    let sources = files(Path::new("src")).into_iter().map(Source::read);
+    let inside: Vec<_> = sources.filter(tested).map(|source| source.path).collect();
+    assert!(
+        inside.is_empty(),
+        "put these tests into `tests/`: {inside:?}"
+    );
 }
 
 #[test]

@@ -2,6 +2,7 @@
 #![cfg(feature = "verify")]
 
 mod notation {
+    mod alphabets;
     mod derivatives;
     mod files;
     mod habits;
@@ -9,11 +10,15 @@ mod notation {
     mod lines;
     #[cfg(feature = "cli")]
     mod manual;
+    mod marks;
     mod mutations;
     mod outline;
+    mod places;
     mod plain;
     mod print;
     mod products;
     mod rarer;
+    mod recent;
+    mod repeated;
     mod vectors;
 }

@@ -8,5 +8,7 @@ mod scene {
     mod bench;
     mod explain;
     mod files;
+    mod quantities;
+    mod spin;
     mod urdf;
 }

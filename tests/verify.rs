@@ -7,12 +7,15 @@ mod common {
 
 mod verify {
     mod corpus;
+    mod cues;
     mod derivations;
     mod documents;
+    mod either;
     mod findings;
     mod invariance;
     mod known_truth;
     mod language;
+    mod lexicon;
     mod many_lines;
     mod mutants;
     mod numbers;
@@ -21,5 +24,6 @@ mod verify {
     mod systems;
     mod ways;
     mod wordings;
+    mod words;
     mod wrong_verdicts;
 }

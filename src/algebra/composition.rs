@@ -175,36 +175,3 @@ fn raise(known: &mut Vec<Polynomial>, exponent: usize, most: usize) -> Result<()
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn variable(v: Variable) -> Polynomial {
-        Polynomial::variable(v)
-    }
-
-    #[test]
-    fn a_common_denominator_stands_below_once() {
-        // x² + x y with x = a/c, y = b/c is (a² + a b)/c².
-        let [x, y, a, b, c] = [0, 1, 2, 3, 4].map(variable);
-        let quotient = |top: &Polynomial| Fraction::from(top.clone()) / Fraction::from(c.clone());
-        let images = std::collections::HashMap::from([(0, quotient(&a)), (1, quotient(&b))]);
-        let value = compose(&(x.clone() * x.clone() + x * y), &images, 100);
-        let expected = Fraction::new(a.clone() * a.clone() + a.clone() * b, c.clone() * c.clone());
-        assert_eq!(value.ok(), expected);
-    }
-
-    #[test]
-    fn growth_is_bounded() {
-        let x = variable(0);
-        let wide = (1..40)
-            .map(variable)
-            .fold(Polynomial::default(), |sum, v| sum + v);
-        let images = std::collections::HashMap::from([(0, Fraction::from(wide))]);
-        assert_eq!(
-            compose(&(x.clone() * x.clone() * x), &images, 2_000),
-            Err(TooLarge)
-        );
-    }
-}

@@ -379,26 +379,3 @@ impl fmt::Debug for Rational {
         fmt::Display::fmt(self, f)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Rational;
-
-    #[test]
-    fn a_number_is_a_square_times_one_that_has_none() {
-        for ((n, d), (root, rest)) in [
-            ((2, 1), ((1, 1), 2)),
-            ((1, 2), ((1, 2), 2)),
-            ((12, 1), ((2, 1), 3)),
-            ((3, 8), ((1, 4), 6)),
-            ((9, 4), ((3, 2), 1)),
-            ((10_403 * 10_403, 1), ((10_403, 1), 1)),
-        ] {
-            let number = Rational::from((n, d));
-            let expected = Some((Rational::from(root), rest));
-            assert_eq!(number.without_square(), expected, "{number}");
-        }
-        assert_eq!(Rational::from(0).without_square(), None);
-        assert_eq!(Rational::from(-4).without_square(), None);
-    }
-}

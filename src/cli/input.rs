@@ -109,28 +109,3 @@ fn text(mut bytes: Vec<u8>) -> Result<String, InputError> {
     }
     String::from_utf8(bytes).map_err(|error| InputError::NotUtf8(error.utf8_error().valid_up_to()))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_byte_order_mark_is_no_text() {
-        assert_eq!(text("\u{feff}ω = 1".into()).ok().as_deref(), Some("ω = 1"));
-    }
-
-    #[test]
-    fn the_first_bad_byte_is_named() {
-        let error = text(b"abc\xffd".to_vec()).err().map(|e| e.to_string());
-        assert_eq!(
-            error.as_deref(),
-            Some("is not UTF-8: the byte at offset 3 fits nowhere")
-        );
-    }
-
-    #[test]
-    fn two_byte_text_is_told_apart() {
-        let error = text(vec![0xff, 0xfe, b'a', 0]);
-        assert!(matches!(error, Err(InputError::Utf16)));
-    }
-}

@@ -59,35 +59,3 @@ pub fn rotation<T: Ring>(q: &Vector4<T>) -> Matrix3<T> {
         square(0) - square(1) - square(2) + square(3),
     )
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scalar::Jet;
-
-    const P: Vector4<i32> = Vector4::new(2, -1, 3, 5);
-    const Q: Vector4<i32> = Vector4::new(1, 4, -2, 6);
-
-    #[test]
-    fn the_matrix_is_the_sandwich() {
-        let v = Vector3::new(3, -7, 2);
-        let pure = Vector4::new(0, v.x, v.y, v.z);
-        let turned = quaternion_product(&quaternion_product(&P, &pure), &quaternion_conjugate(&P));
-        assert_eq!((rotation(&P) * v).insert_row(0, 0), turned);
-        assert_eq!(
-            rotation(&quaternion_product(&P, &Q)),
-            rotation(&P) * rotation(&Q)
-        );
-    }
-
-    /// Both rates say one thing: d/dt of the matrix of q, by q̇ = ½ q ω, is R [ω]×.
-    #[test]
-    fn the_quaternion_turns_as_the_matrix_does() {
-        let q = P.map(f64::from);
-        let omega = Vector3::new(2.0, -4.0, 6.0);
-        let moving = q.zip_map(&quaternion_rate(&q, &omega), Jet::<f64, 1>::moving);
-        let rate = rotation(&moving).map(|r| r.rate());
-        // Small integers: every product is exact, so the equality is too.
-        assert_eq!(rate, attitude_rate(&rotation(&q), &omega));
-    }
-}

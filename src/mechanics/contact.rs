@@ -43,39 +43,3 @@ pub fn lowest_of_sphere<T: Ring>(radius: &T, upward: &Vector3<T>) -> Vector3<T> 
 pub fn lowest_of_disc<T: Ring>(radius: &T, axis: &Vector3<T>, upward: &Vector3<T>) -> Vector3<T> {
     (axis * upward.dot(axis) - upward) * radius.clone()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_lowest_point_of_a_tilted_disc_is_on_its_rim_and_below_all_others() {
-        let (sine, cosine): (f64, f64) = (0.6, 0.8);
-        let (axis, upward) = (Vector3::new(sine, 0.0, cosine), Vector3::z());
-        let lowest: Vector3<f64> = lowest_of_disc(&2.0, &axis, &upward) / sine;
-        assert!((lowest.norm() - 2.0).abs() < 1e-12 && lowest.dot(&axis).abs() < 1e-12);
-        let across = axis.cross(&lowest);
-        let other = |angle: f64| lowest * angle.cos() + across * angle.sin();
-        let height = |angle: f64| other(angle).dot(&upward);
-        assert!((1..63).all(|k| height(0.1 * f64::from(k)) >= height(0.0)));
-        assert_eq!(
-            lowest_of_sphere(&2.0, &upward),
-            Vector3::new(0.0, 0.0, -2.0)
-        );
-    }
-
-    #[test]
-    fn what_a_body_point_does_is_the_rate_of_what_it_did() {
-        let omega = Vector3::new(0.3, -0.7, 1.1);
-        let (alpha, place) = (Vector3::new(-0.2, 0.5, 0.4), Vector3::new(1.0, 2.0, -1.5));
-        let (v, a) = (Vector3::new(0.1, 0.2, 0.3), Vector3::new(-1.0, 0.0, 2.0));
-        let velocity = |t: f64| {
-            // The place is carried along: its rate is ω × r.
-            let carried = place + omega.cross(&place) * t;
-            velocity_of_body_point(&(v + a * t), &(omega + alpha * t), &carried)
-        };
-        let step = 1e-6;
-        let rate = (velocity(step) - velocity(-step)) / (2.0 * step);
-        assert!((rate - acceleration_of_body_point(&a, &omega, &alpha, &place)).norm() < 1e-8);
-    }
-}

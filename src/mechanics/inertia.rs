@@ -95,28 +95,3 @@ pub fn symmetric_inertia<T: Ring>(across: &T, along: &T, axis: &Vector3<T>) -> M
 pub(in crate::mechanics) fn quadratic<T: Ring>(inertia: &Matrix3<T>, v: &Vector3<T>) -> T {
     v.dot(&apply(inertia, v))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_tensor_of_points_is_the_one_of_the_integrals() {
-        let points = [
-            (2, Vector3::new(1, -2, 3)),
-            (3, Vector3::new(0, 1, 4)),
-            (1, Vector3::new(-5, 2, 0)),
-        ];
-        let sum = |f: fn(&Vector3<i32>) -> i32| points.iter().map(|(m, r)| m * f(r)).sum::<i32>();
-        let moments = [
-            sum(|r| r.y * r.y + r.z * r.z),
-            sum(|r| r.z * r.z + r.x * r.x),
-            sum(|r| r.x * r.x + r.y * r.y),
-        ];
-        let products = [sum(|r| r.x * r.y), sum(|r| r.x * r.z), sum(|r| r.y * r.z)];
-        assert_eq!(
-            inertia_of_points(&points),
-            inertia(moments, products, Products::Integrals)
-        );
-    }
-}

@@ -67,27 +67,3 @@ pub fn determinant<T: Ring>(m: &Matrix3<T>) -> T {
         + m[(0, 1)].clone() * minors[(1, 0)].clone()
         + m[(0, 2)].clone() * minors[(2, 0)].clone()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const M: Matrix3<i64> = Matrix3::new(2, -3, 1, 4, 0, -5, 7, 6, 8);
-    const V: Vector3<i64> = Vector3::new(3, -2, 5);
-
-    #[test]
-    fn the_adjugate_times_the_matrix_is_the_determinant() {
-        // 2 (0 + 30) + 3 (32 + 35) + 1 (24 − 0)
-        assert_eq!(determinant(&M), 285);
-        assert_eq!(product(&M, &adjugate(&M)), Matrix3::identity() * 285);
-        assert_eq!(product(&adjugate(&M), &M), Matrix3::identity() * 285);
-    }
-
-    #[test]
-    fn nine_products_are_those_of_nalgebra() {
-        assert_eq!(apply(&M, &V), M * V);
-        assert_eq!(product(&M, &M.transpose()), M * M.transpose());
-        let other = Vector3::new(-1, 4, 9);
-        assert_eq!(apply(&skew(&V), &other), cross(&V, &other));
-    }
-}

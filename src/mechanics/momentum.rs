@@ -45,30 +45,3 @@ pub fn moment_about_moving_point<T: Ring>(
 ) -> Vector3<T> {
     momentum_rate + cross(point_velocity, linear_momentum)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Two masses on given courses, as jets of jets: the law follows from Σ r × m a.
-    #[test]
-    fn the_moment_about_a_moving_point_is_the_moment_of_the_forces() {
-        let masses = [2, 5];
-        let places = [Vector3::new(1, 4, -2), Vector3::new(3, 0, 7)];
-        let velocities = [Vector3::new(-1, 2, 2), Vector3::new(4, -3, 1)];
-        let accelerations = [Vector3::new(6, 1, 0), Vector3::new(-2, 5, 3)];
-        let (point, point_velocity) = (Vector3::new(2, 2, 1), Vector3::new(-3, 1, 4));
-        let (mut momentum, mut linear, mut moment) =
-            (Vector3::zeros(), Vector3::zeros(), Vector3::zeros());
-        for i in 0..2 {
-            let arm = (places[i] - point).zip_map(&(velocities[i] - point_velocity), Jet::moving);
-            let motion = velocities[i].zip_map(&accelerations[i], Jet::<i32, 1>::moving);
-            momentum += cross(&arm, &motion).map(|l| masses[i] * l.rate());
-            linear += velocities[i] * masses[i];
-            moment += cross(&(places[i] - point), &force(&masses[i], &accelerations[i]));
-        }
-        let law = moment_about_moving_point(&momentum, &point_velocity, &linear);
-        assert_eq!(law, moment);
-        assert_ne!(momentum, moment);
-    }
-}

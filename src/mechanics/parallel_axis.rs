@@ -19,25 +19,3 @@ use nalgebra::{Matrix3, Vector3};
 pub fn parallel_axis<T: Ring>(inertia: &Matrix3<T>, mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
     inertia + of_point(mass, offset)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mechanics::inertia_of_points;
-
-    #[test]
-    fn shifted_points_have_the_shifted_tensor() {
-        // The mass centre of these is the origin.
-        let points = [
-            (1, Vector3::new(2, -4, 6)),
-            (2, Vector3::new(-3, 1, 0)),
-            (1, Vector3::new(4, 2, -6)),
-        ];
-        let shift = Vector3::new(5, -1, 7);
-        let shifted = points.map(|(m, r)| (m, r + shift));
-        let about_centre = inertia_of_points(&points);
-        let about_origin = inertia_of_points(&shifted);
-        assert_eq!(parallel_axis(&about_centre, &4, &shift), about_origin);
-        assert_eq!(parallel_axis(&about_origin, &-4, &shift), about_centre);
-    }
-}

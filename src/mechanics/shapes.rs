@@ -25,8 +25,6 @@ mod chart;
 mod moments;
 mod range;
 mod table;
-#[cfg(test)]
-mod tests;
 
 pub use moments::Moments;
 pub use table::{Shape, Size};

@@ -24,30 +24,3 @@ pub fn spring_energy<T: Field>(stiffness: &T, natural_length: &T, length: &T) ->
     let elongation = length.clone() - natural_length.clone();
     T::ratio(1, 2) * stiffness.clone() * elongation.clone() * elongation
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_force_is_the_slope_of_the_energy_downhill() {
-        let (stiffness, natural, at) = (3.0_f64, 1.25_f64, Vector3::new(0.4_f64, -1.1, 2.0));
-        let force = spring_force(&stiffness, &natural, &at, &at.norm());
-        let energy = |way: Vector3<f64>| spring_energy(&stiffness, &natural, &way.norm());
-        let step = 1e-5;
-        for axis in 0..3 {
-            let mut way = Vector3::zeros();
-            way[axis] = step;
-            let slope = (energy(at + way) - energy(at - way)) / (2.0 * step);
-            assert!((force[axis] + slope).abs() < 1e-8);
-        }
-    }
-
-    #[test]
-    fn stretched_it_pulls_back_and_compressed_it_pushes() {
-        let at = Vector3::new(0.0_f64, 3.0, 4.0);
-        let force = |natural: f64| spring_force(&2.0, &natural, &at, &5.0);
-        assert!((force(4.0) + at * 0.4).norm() < 1e-12);
-        assert!((force(6.0) - at * 0.4).norm() < 1e-12);
-    }
-}

@@ -121,32 +121,3 @@ pub fn velocity_in_moving_plane<T: Ring>(
 ) -> Vector2<T> {
     origin_velocity + transport_in_plane(rate, frame_rate, place)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const RATE: Vector3<i32> = Vector3::new(3, -1, 4);
-    const TURN: Vector3<i32> = Vector3::new(-2, 7, 5);
-    const VECTOR: Vector3<i32> = Vector3::new(6, 2, -9);
-
-    #[test]
-    fn twice_is_the_sum_of_the_four_named_terms() {
-        let (second, turn_rate) = (Vector3::new(1, 8, -3), Vector3::new(4, -6, 2));
-        let terms = relative_acceleration(&second, &RATE, &VECTOR, &TURN, &turn_rate);
-        assert_eq!(
-            transport_twice(&second, &RATE, &VECTOR, &TURN, &turn_rate),
-            terms.relative + terms.coriolis + terms.euler + terms.centripetal
-        );
-    }
-
-    #[test]
-    fn the_plane_is_space_with_one_component_of_omega() {
-        let lift = |v: Vector2<i32>| Vector3::new(v.x, v.y, 0);
-        let (rate, vector, origin) = (RATE.xy(), VECTOR.xy(), TURN.xy());
-        let in_plane = velocity_in_moving_plane(&origin, &rate, &5, &vector);
-        let turn = Vector3::new(0, 0, 5);
-        let in_space = velocity_in_moving_frame(&lift(origin), &lift(rate), &turn, &lift(vector));
-        assert_eq!(lift(in_plane), in_space);
-    }
-}

@@ -212,29 +212,3 @@ impl<T: Number> Add for Quaternion<T> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    proptest! {
-        #[test]
-        fn the_logarithm_undoes_the_exponential(theta in prop::array::uniform3(-1.7_f64..1.7)) {
-            let theta = Vector3::from(theta);
-            // |θ| < π; the rounding of a few operations on numbers up to π.
-            prop_assert!((Quaternion::exp(&theta).log() - theta).norm() < 4e-15);
-            let small = theta * 1e-12;
-            prop_assert!((Quaternion::exp(&small).log() - small).norm() < 1e-27);
-        }
-
-        #[test]
-        fn the_product_composes_rotations(a in prop::array::uniform3(-3.0_f64..3.0), b in prop::array::uniform3(-3.0_f64..3.0)) {
-            let (a, b) = (Quaternion::exp(&a.into()), Quaternion::exp(&b.into()));
-            prop_assert!(((a * b).matrix() - a.matrix() * b.matrix()).norm() < 1e-14);
-            let back = Quaternion::of_matrix(&(a * b).matrix());
-            prop_assert!((back.conjugate() * a * b).log().norm() < 1e-14);
-            prop_assert!((a.matrix().transpose() - a.conjugate().matrix()).norm() < 1e-14);
-        }
-    }
-}

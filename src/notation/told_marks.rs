@@ -89,29 +89,3 @@ fn has_error(node: &Node, about: &str) -> bool {
     matches!(&node.kind, Kind::Error(message) if message.contains(about))
         || node.children().any(|child| has_error(child, about))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn commands_around_single_letters_mark_them() {
-        let marks = |sentence: &str| told_marks(std::iter::once(sentence), &Macros::default());
-        let check = "\\check{#1}";
-        assert_eq!(
-            marks("$\\uvec{k}$ is fixed in B."),
-            [("uvec".to_owned(), check)]
-        );
-        assert_eq!(
-            marks("$\\pvec\\tau_1$ is constant."),
-            [("pvec".to_owned(), check)]
-        );
-        assert!(marks("$\\skew{v}$ is the matrix of $v$, for any vector $v$.").is_empty());
-        assert!(
-            marks("$\\vec{k}$ and $\\dot{\\theta}$ are known, $\\own{a b}$ is not.").is_empty()
-        );
-        let both = marks("$\\one{r}$ and $\\two{s}$ are vectors.");
-        assert_eq!(both.len(), 2);
-        assert_ne!(both[0].1, both[1].1);
-    }
-}

@@ -130,18 +130,3 @@ fn groups(reader: &mut Reader, whole: &Table<'_>) -> Option<Vec<Group>> {
     }
     Some(groups)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_manual_names_every_key() {
-        let keys = body::KEYS.iter().chain(run::KEYS);
-        let missing: Vec<_> = keys
-            .filter(|key| !crate::scene::MANUAL.contains(&format!("{key} =")))
-            .collect();
-        // A step is named beside its method.
-        assert_eq!(missing, [&"step"]);
-    }
-}

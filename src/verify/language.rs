@@ -183,6 +183,8 @@ pub use declare::{read_declarations, read_sentence};
 pub use lexicon::Lexicon;
 pub use manual::manual;
 pub use print::sentence;
+#[doc(hidden)]
+pub use rewrite::idle_rules;
 use traits::Trait;
 
 /// Whether only bodies have what a noun means: a momentum, an inertia.

@@ -222,3 +222,13 @@ fn jets_know_the_derivatives_of_roots_and_sines() {
         assert!(near(sine, s) && near(cosine, c));
     }
 }
+
+#[test]
+fn the_inverse_in_a_prime_field_undoes_the_product_at_the_edges() {
+    for n in [1, 2, 3, Prime::MODULUS - 1, Prime::MODULUS - 2, 1 << 60] {
+        let a = Prime::new(n);
+        let inverse = a.inverse().expect("n is not zero");
+        assert_eq!(a * inverse, Prime::new(1), "{n}");
+    }
+    assert_eq!(Prime::new(Prime::MODULUS).inverse(), None);
+}

@@ -53,6 +53,21 @@ fn what_is_no_text_file_is_refused_with_the_reason() {
     refused(&path, "is UTF-16; save it as UTF-8");
 }
 
+#[test]
+fn a_byte_order_mark_is_no_text() {
+    let text = "---\npolhode:\n- N is an inertial frame.\n- nonsense\n---\n\n$$ \\cos 0 = 1 $$\n";
+    let (_folder, path) = document(text.as_bytes());
+    let (_other, marked) = document(format!("\u{feff}{text}").as_bytes());
+    let told = |path: &Path| {
+        let (code, stdout, stderr) = check(path);
+        let nameless = |text: String| text.replace(&path.display().to_string(), "");
+        (code, nameless(stdout), nameless(stderr))
+    };
+    let plain = told(&path);
+    assert!(format!("{plain:?}").contains("nonsense"), "{plain:?}");
+    assert_eq!(told(&marked), plain);
+}
+
 #[cfg(unix)]
 #[test]
 fn a_device_that_never_ends_is_refused() {

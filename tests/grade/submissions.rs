@@ -134,6 +134,37 @@ fn what_archives_hide_is_not_read() {
 }
 
 #[test]
+fn no_path_leads_out_of_an_archive() {
+    let good = good();
+    let outside = [
+        "../a.md",
+        "a/../../b.md",
+        "/etc/passwd.md",
+        "C:\\a.md",
+        "..\\a.md",
+        "a\0.md",
+    ];
+    let archives: Vec<_> = (0..)
+        .zip(outside)
+        .map(|(n, path)| (format!("out{n}.zip"), zip(&[(path, &good)])))
+        .chain([("inside.zip".to_owned(), zip(&[("a/./b.md", &good)]))])
+        .collect();
+    let files: Vec<(&str, &[u8])> = archives
+        .iter()
+        .map(|(name, bytes)| (name.as_str(), bytes.as_slice()))
+        .collect();
+    let results = marked(&files, &[]);
+    for (n, path) in outside.iter().enumerate() {
+        let reason = queue(&results, &format!("out{n}"));
+        assert!(
+            reason.contains("leads out of the archive"),
+            "{path}: {reason}"
+        );
+    }
+    assert_eq!(of(&results, "inside")["marks"], 8.0);
+}
+
+#[test]
 fn a_bomb_is_not_unpacked() {
     let good = good();
     let zeros = vec![b' '; 64 << 20];
@@ -233,6 +264,37 @@ fn names_that_systems_keep_and_names_without_end_get_files_of_their_own() {
             .all(|name| name.len() < 200 && !name.starts_with("con.")),
         "{names:?}"
     );
+}
+
+/// Files are called by plain characters, and an id shows each character that hides or moves others.
+#[cfg(unix)]
+#[test]
+fn a_name_hides_nothing_and_makes_no_path() {
+    let good = good();
+    let files: [(&str, &[u8]); 5] = [
+        ("s017.md", &good),
+        ("<script>.md", &good),
+        ("a\\b.md", &good),
+        ("a\u{202e}b.md", &good),
+        ("a\nb.md", &good),
+    ];
+    let folder = class(&files);
+    assert_eq!(grade(folder.path(), &[]).0, 3);
+    let results = parsed(folder.path());
+    let students = results["students"].as_array().expect("students");
+    let ids = students.iter().map(|student| student["id"].as_str());
+    let mut ids: Vec<&str> = ids.map(|id| id.expect("an id")).collect();
+    ids.sort_unstable();
+    assert_eq!(ids, ["%3Cscript%3E", "a%202Eb", "a%5Cb", "a%Ab", "s017"]);
+    for page in fs::read_dir(folder.path().join("out/feedback")).expect("pages") {
+        let name = page.expect("a page").file_name();
+        let name = name.to_string_lossy();
+        assert!(
+            !name.contains(['/', '\\', '<', '>', '\n', '\u{202e}']),
+            "{name}"
+        );
+    }
+    assert!(folder.path().join("out/feedback/s017.html").exists());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A file of the library without its unit tests.
+/// A file of the library.
 pub(crate) struct Source {
     pub(crate) path: PathBuf,
     /// The text with comments left out and every literal emptied; lines stay where they are.
@@ -15,8 +15,7 @@ pub(crate) struct Source {
 impl Source {
     pub(crate) fn read(path: PathBuf) -> Self {
         let text = fs::read_to_string(&path).expect("readable");
-        let library = text.split("#[cfg(test)]").next().unwrap_or_default();
-        let (code, literals) = parts(library);
+        let (code, literals) = parts(&text);
         Self {
             path,
             code,

@@ -54,6 +54,24 @@ fn every_example_is_read() {
     assert!(count >= 6);
 }
 
+/// The words of the first list that is called `KEYS`.
+fn keys(source: &str) -> impl Iterator<Item = &str> {
+    let (_, list) = source.split_once(" KEYS: &[&str] = &[").expect("a list");
+    let (list, _) = list.split_once("];").expect("its end");
+    list.split('"').skip(1).step_by(2)
+}
+
+#[test]
+fn the_manual_names_every_key() {
+    let body = keys(include_str!("../../src/scene/read/body.rs"));
+    let run = keys(include_str!("../../src/scene/read/run.rs"));
+    let all: Vec<_> = body.chain(run).collect();
+    assert!(all.contains(&"name") && all.contains(&"estimate_error"));
+    let missing = |key: &&&str| !scene::MANUAL.contains(&format!("{key} ="));
+    // A step is named beside its method.
+    assert_eq!(all.iter().filter(missing).collect::<Vec<_>>(), [&"step"]);
+}
+
 #[test]
 fn the_manual_is_a_scene_itself() {
     let scene = read(scene::MANUAL).expect("a good scene");

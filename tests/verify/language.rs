@@ -4,7 +4,9 @@ use polhode::notation::Macros;
 use polhode::verify::language::statement::{
     Declaration, DeclaredRole, Extent, Misread, NotationMeaning, Sign, Slot, Statement, Term,
 };
-use polhode::verify::language::{Lexicon, manual, read_declarations, read_sentence, sentence};
+use polhode::verify::language::{
+    Lexicon, idle_rules, manual, read_declarations, read_sentence, sentence,
+};
 use std::time::{Duration, Instant};
 
 /// Sentences of every family, one a line.
@@ -588,4 +590,45 @@ fn one_body_has_one_name_and_its_mass_centre_too() {
         "G is the mass centre of the top.",
     ];
     assert_eq!(said, wanted);
+}
+
+/// The sentences as which one is read.
+fn plainly(said: &str) -> Vec<String> {
+    let lexicon = Lexicon::default();
+    let read = read(said).unwrap_or_else(|misread| panic!("{said}: {misread:?}"));
+    read.iter().map(|d| sentence(d, &lexicon)).collect()
+}
+
+#[test]
+fn other_ways_to_say_a_sentence_are_read_as_the_plain_one() {
+    for (said, plain) in [
+        (
+            "P is a point that lies on z.",
+            &["P is a point.", "P lies on z."][..],
+        ),
+        ("The bar joins A to B.", &["The rod extends from A to B."]),
+        (
+            "By $L$ we mean the momentum of B.",
+            &["$L$ is the momentum of B."],
+        ),
+        ("$a$ is larger than $b$.", &["$a>b$."]),
+    ] {
+        assert_eq!(plainly(said), plain, "{said}");
+    }
+}
+
+#[test]
+fn a_list_is_no_part_of_a_formula() {
+    for list in [
+        "$a$ is larger than $b$ and $c$.",
+        "$a$ and $b$ are larger than $c$.",
+        "The equality of $a$, $b$ and $c$ is assumed.",
+    ] {
+        assert!(read(list).is_err(), "{list}");
+    }
+}
+
+#[test]
+fn each_rule_changes_its_example() {
+    assert_eq!(idle_rules(), [""; 0]);
 }

@@ -53,3 +53,81 @@ fn a_rounded_multiple_of_a_symbol_is_decided() {
         .and_then(|f| f.diagnosis.as_ref()?.suggestion.clone());
     assert_eq!(repair.as_deref(), Some("\\lambda = 0.55\\,r"));
 }
+
+/// The sides of a line differ by less than half a unit of the last digit shown, by less than a unit, or by more.
+#[test]
+fn a_digit_may_be_rounded_and_is_not_cut_off() {
+    for (line, found) in [
+        ("125.74 = 125.7", "proved"),
+        ("125.77 = 125.7", "undecided"),
+        ("125.81 = 125.7", "refuted"),
+        (r"0.002049 = 2.0\times 10^{-3}", "proved"),
+        (r"0.00206 = 2.0\times 10^{-3}", "undecided"),
+        (r"0.00211 = 2.0\times 10^{-3}", "refuted"),
+        // 360 has two or three digits.
+        ("360.4 = 360", "proved"),
+        ("360.6 = 360", "undecided"),
+        ("364.9 = 360", "undecided"),
+        ("365.1 = 360", "refuted"),
+        // 10 has one or two digits, and is not said of 5.
+        ("9.6 = 10", "proved"),
+        ("5.2 = 10", "undecided"),
+        ("14.8 = 10", "undecided"),
+        ("5 = 10", "refuted"),
+        ("5.05 = 10", "refuted"),
+        // 0 is exact.
+        ("0.0001 = 0", "refuted"),
+    ] {
+        assert_eq!(verdict("", line), found, "{line}");
+    }
+}
+
+#[test]
+fn units_become_factors() {
+    for (left, right) in [
+        ("2 kg m^2", "2"),
+        ("2 rad/s", "2"),
+        ("45 rev/min", "4.712 rad/s"),
+        ("45 rpm", "4.712 rad/s"),
+        ("30 deg", "0.5236 rad"),
+        ("30 deg/s", "0.5236 rad/s"),
+        ("3000000 mm^2", "3 m^2"),
+        ("2 kg.m^2", "2 kg m^2"),
+        ("3000 N mm", "3 N m"),
+        ("36 km/h", "10 m/s"),
+        ("5 m s^{-1}", "18 km/h"),
+        ("120 min^-1", "2 s^-1"),
+        ("30000000 g·cm²", "3 kg m²"),
+        // Of a unit that is not known nothing is made.
+        ("2 furlong", "2"),
+    ] {
+        let side = |text: &str| match text.split_once(' ') {
+            Some((number, unit)) => format!(r"{number}\ \text{{{unit}}}"),
+            None => text.to_owned(),
+        };
+        let line = format!("{} = {}", side(left), side(right));
+        assert_eq!(verdict("", &line), "proved", "{line}");
+        let line = format!("{} = 2 \\cdot {}", side(left), side(right));
+        assert_eq!(verdict("", &line), "refuted", "{line}");
+    }
+}
+
+#[test]
+fn units_have_dimensions() {
+    for (units, found) in [
+        (["N m s", "kg m^2/s"], "proved"),
+        (["rad/s", "rad/s"], "proved"),
+        (["kg m^2", "kg m"], "refuted"),
+        (["N m", "N"], "refuted"),
+        (["J", "W"], "refuted"),
+        // Of these no dimensions are known.
+        (["lb ft", "lb"], "proved"),
+    ] {
+        let [left, right] = units.map(|unit| format!(r"3\ \text{{{unit}}}"));
+        assert_eq!(
+            verdict("", &format!("{left} = {right}")),
+            found,
+            "{units:?}"
+        );
+    }
+}

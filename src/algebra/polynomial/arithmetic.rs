@@ -163,37 +163,3 @@ impl One for Polynomial {
         Self::constant(Rational::one())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    /// Sums with like terms, terms of several forms, and coefficients that cancel.
-    fn sums() -> impl Strategy<Value = Polynomial> {
-        let monomial = prop::collection::vec((0u32..4, 1u32..3), 0..3);
-        let term = (monomial, -2i64..3, 1i64..3).prop_map(|(powers, n, d)| {
-            let factors = powers.iter().flat_map(|&(v, e)| vec![5 * v; e as usize]);
-            factors.fold(
-                Polynomial::constant(Rational::from((n, d))),
-                |product, v| product * Polynomial::variable(v),
-            )
-        });
-        prop::collection::vec(term, 0..5)
-            .prop_map(|terms| terms.into_iter().fold(Polynomial::zero(), Add::add))
-    }
-
-    proptest! {
-        #[test]
-        fn a_power_is_a_repeated_product(sum in sums(), exponent in 0u32..6) {
-            let product = (0..exponent).fold(Polynomial::one(), |power, _| power * sum.clone());
-            prop_assert_eq!(sum.pow(exponent), product);
-        }
-
-        #[test]
-        fn a_product_distributes_over_a_sum(a in sums(), b in sums(), c in sums()) {
-            let apart = a.clone() * b.clone() + a.clone() * c.clone();
-            prop_assert_eq!(a * (b + c), apart);
-        }
-    }
-}

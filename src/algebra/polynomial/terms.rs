@@ -226,23 +226,3 @@ impl FromIterator<Term> for Terms {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::algebra::Polynomial;
-
-    #[test]
-    fn hashing_and_merging_agree() {
-        let sum = |from, step: i64| {
-            (from..from + 8).fold(Polynomial::constant(step.into()), |sum, v| {
-                let coefficient = Rational::from((i64::from(v) * step - 6, 2));
-                sum + Polynomial::term(Monomial::of(v), coefficient)
-            })
-        };
-        let (a, b) = (sum(0, 1).pow(2), sum(9, -1).pow(2) * sum(0, 3));
-        let products = hashed(a.terms(), b.terms());
-        assert_eq!(products, rows(a.terms(), b.terms()));
-        assert!(products.len() < a.len() * b.len(), "some are alike");
-    }
-}

@@ -75,7 +75,8 @@ impl Tally {
     fn middle(&self) -> (f64, f64) {
         let tenths = |number: f64| (number * 10.0).round() / 10.0;
         let counts = self.marks.iter();
-        let sum: f64 = counts.map(|(marks, n)| marks.to_f64() * *n as f64).sum();
+        // From zero, as the sum of no numbers is -0.
+        let sum = counts.fold(0.0, |sum, (marks, n)| sum + marks.to_f64() * *n as f64);
         let at = |place: usize| {
             let mut counts = self.marks.iter().scan(0, |before, (marks, n)| {
                 *before += n;
@@ -240,54 +241,5 @@ fn bars(numbers: &[(String, usize)]) -> Markup {
                 text x=(136 + count * 170 / most) y=(top + 15) { (count) }
             }
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn tally(marks: &[f64]) -> Tally {
-        let mut tally = Tally::default();
-        for marks in marks.iter().filter_map(|&number| Marks::new(number)) {
-            tally.students += 1;
-            *tally.marks.entry(marks).or_default() += 1;
-        }
-        tally
-    }
-
-    fn bars_of(most: f64, marks: &[f64]) -> Vec<(String, usize)> {
-        let all = distribution(Marks::new(most).unwrap_or_default(), &tally(marks));
-        all.into_iter().filter(|(_, count)| *count > 0).collect()
-    }
-
-    #[test]
-    fn every_mark_has_a_bar_with_a_plain_name() {
-        let bar = |name: &str, count| (name.to_owned(), count);
-        assert_eq!(
-            bars_of(8.0, &[0.0, 5.0, 8.0, 8.0]),
-            [bar("0", 1), bar("5", 1), bar("8", 2)]
-        );
-        assert_eq!(bars_of(8.0, &[7.5, 8.0]), [bar("7 to 8", 1), bar("8", 1)]);
-        assert_eq!(bars_of(50.0, &[49.0]), [bar("45 to 50", 1)]);
-        assert_eq!(bars_of(0.0, &[0.0]).len(), 1);
-    }
-
-    #[test]
-    fn no_more_questions_are_kept_than_a_person_would_read() {
-        let mut tally = Tally::default();
-        for number in 0..MOST_QUESTIONS + 5 {
-            tally.ask(&format!("what is `x_{number}`?"), 1);
-        }
-        tally.ask("what is `x_0`?", 2);
-        assert_eq!(tally.questions.len(), MOST_QUESTIONS);
-        assert_eq!(tally.questions["what is `x_0`?"], (2, 3));
-    }
-
-    #[test]
-    fn the_middle_of_a_class() {
-        assert_eq!(tally(&[1.0, 2.0, 6.0]).middle(), (3.0, 2.0));
-        assert_eq!(tally(&[1.0, 2.0]).middle(), (1.5, 1.5));
-        assert_eq!(tally(&[]).middle(), (0.0, 0.0));
     }
 }

@@ -132,21 +132,3 @@ fn plain(text: &str) -> String {
     }
     plain
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn nothing_in_a_text_marks_anything_up() {
-        assert_eq!(
-            plain("<script> [a](javascript:b) `c`"),
-            "&lt;script&gt; \\[a\\](javascript:b) \\`c\\`"
-        );
-        let fenced = formula("a\n```\n<script>");
-        assert!(fenced.starts_with("````") && fenced.ends_with("\n````\n"));
-        assert_eq!(formula("L_x"), "```math\nL_x\n```\n");
-        let link = "\\href{javascript:alert(1)}{x}";
-        assert_eq!(formula(link), format!("```\n{link}\n```\n"));
-    }
-}

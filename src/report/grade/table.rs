@@ -58,21 +58,3 @@ fn row(bytes: &[u8], at: &mut usize, between: u8) -> Row {
     cells.push(start..*at);
     Row { cells }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_quoted_cell_may_hold_commas_quotes_and_line_breaks() {
-        let text = "\u{feff}id,name\r\n1,\"a, \"\"b\"\"\nc\"\r\n\r\n2,\n";
-        let values: Vec<_> = rows(text).map(|row| row.values(text)).collect();
-        assert_eq!(
-            values,
-            [vec!["id", "name"], vec!["1", "a, \"b\"\nc"], vec!["2", ""]]
-        );
-        let text = "a;b\n1,5;2\n";
-        let values: Vec<_> = rows(text).map(|row| row.values(text)).collect();
-        assert_eq!(values, [vec!["a", "b"], vec!["1,5", "2"]]);
-    }
-}

@@ -135,32 +135,3 @@ fn boundary(text: &str, offset: usize) -> usize {
     }
     at
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn whole_lines_are_shown_around_a_place() {
-        let excerpt = Excerpt::around("one\ntwo α\nthree\nfour", Span::new(8, 13));
-        assert_eq!((excerpt.text, excerpt.range), ("two α\nthree", 4..9));
-        assert!(excerpt.whole_lines);
-    }
-
-    #[test]
-    fn an_overlong_line_is_cut_to_a_window() {
-        let text = "é".repeat(2_000);
-        let excerpt = Excerpt::around(&text, Span::new(2_000, 2_002));
-        assert_eq!(excerpt.text.get(excerpt.range), Some("é"));
-        assert!(!excerpt.whole_lines);
-        assert!(excerpt.text.len() <= 2 * MARGIN + 2);
-    }
-
-    #[test]
-    fn a_place_outside_the_text_or_inside_a_character_is_no_panic() {
-        let excerpt = Excerpt::around("ω", Span::new(5, 9));
-        assert_eq!(excerpt.range, 2..2);
-        let excerpt = Excerpt::around("ωω", Span::new(1, 3));
-        assert_eq!(excerpt.range, 0..2);
-    }
-}

@@ -23,18 +23,3 @@ pub(crate) fn cases(sentence: &str) -> Option<[String; 2]> {
     let told = plain && begins(what) && begins(other);
     told.then(|| [format!("{one}."), format!("{subject}{verb}{other}.")])
 }
-
-#[cfg(test)]
-mod tests {
-    use super::cases;
-
-    #[test]
-    fn one_of_two_things_is_meant() {
-        let both = cases("O is the mass centre of the body or a point fixed in N and in B.");
-        let both = both.map(|both| both.join(" "));
-        let told = "O is the mass centre of the body. O is a point fixed in N and in B.";
-        assert_eq!(both.as_deref(), Some(told));
-        assert_eq!(cases("O is at rest or moves evenly."), None);
-        assert_eq!(cases("The rod is long."), None);
-    }
-}

@@ -179,35 +179,3 @@ pub(crate) fn only_number(node: &Node) -> Option<(&Number, crate::source::Span)>
 pub(crate) fn value(number: &Number) -> Rational {
     Rational::from(number.value.clone())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn parts(value: (i64, i64), decimals: Option<u32>, exponent: i32) -> [Rational; 3] {
-        let number = Number {
-            value: BigRational::new(value.0.into(), value.1.into()),
-            decimals,
-            exponent,
-        };
-        [Part::Decimals, Part::Integers, Part::Doubt].map(|p| part_of(&number, p).into())
-    }
-
-    #[test]
-    fn half_a_unit_of_the_last_digit() {
-        let r = |n, d| Rational::from((n, d));
-        // 125.7
-        assert_eq!(parts((1257, 10), Some(1), 0), [r(1, 20), r(0, 1), r(1, 10)]);
-        // 2.0e-3
-        assert_eq!(
-            parts((1, 500), Some(1), -3),
-            [r(1, 20_000), r(0, 1), r(1, 10_000)]
-        );
-        // 360 has two or three digits
-        assert_eq!(parts((360, 1), None, 0), [r(0, 1), r(1, 2), r(5, 1)]);
-        // 10 has one or two digits, and is not said of 5
-        assert_eq!(parts((10, 1), None, 0), [r(0, 1), r(1, 2), r(49, 10)]);
-        // 0 is exact
-        assert_eq!(parts((0, 1), None, 0), [r(0, 1), r(0, 1), r(0, 1)]);
-    }
-}

@@ -288,29 +288,3 @@ impl Atoms {
         one(of.numerator()) && one(of.denominator())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use num_traits::ToPrimitive;
-
-    #[test]
-    fn cosines_of_common_angles_are_exact() {
-        let mut atoms = Atoms::default();
-        for steps in [0, 2, 3, 4, 6, 8, 9, 10, 12, 14, 18, 20, 22] {
-            let cosine = atoms.cosine_of_steps(steps).expect("a common angle");
-            let root = |v: Variable| match atoms.latex(v).as_str() {
-                "\\sqrt{3}" => 3f64.sqrt(),
-                _ => 2f64.sqrt(),
-            };
-            let value = cosine
-                .numerator()
-                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
-            let below = cosine
-                .denominator()
-                .evaluate(root, |c: &Rational| c.to_big().to_f64().unwrap_or(f64::NAN));
-            let angle = (15.0 * steps as f64).to_radians();
-            assert!((value / below - angle.cos()).abs() < 1e-12, "{steps}");
-        }
-    }
-}

@@ -151,23 +151,3 @@ fn by_component(named: &[Named]) -> HashMap<&str, Arc<Named>> {
     let all = component.into_iter();
     all.map(|(name, at)| (name, shared[at].clone())).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_connected_through_sentences_is_held_once() {
-        let named = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
-        let sentences: [Named; 4] = [
-            named(&["a", "b"]),
-            named(&["c", "d"]),
-            named(&["e"]),
-            named(&["b", "c"]),
-        ];
-        let sets = by_component(&sentences);
-        assert!(Arc::ptr_eq(&sets["a"], &sets["d"]));
-        assert_eq!(*sets["a"], named(&["a", "b", "c", "d"]));
-        assert_eq!(*sets["e"], named(&["e"]));
-    }
-}

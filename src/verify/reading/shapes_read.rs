@@ -396,24 +396,3 @@ fn roundness(shape: mechanics::Shape, sizes: &[Fraction], axis: usize) -> Option
         _ => None,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::verify::language::traits::with;
-
-    #[test]
-    fn each_shape_of_the_lexicon_has_its_tensor_in_the_table() {
-        for noun in with(Trait::Shape) {
-            // Halves have a hyphen in words: sentences tell no more of them than their names.
-            let known = mechanics::Shape::by_name(&noun.replace('-', " "));
-            let shape = known.unwrap_or_else(|| panic!("{noun} is not in the table"));
-            let several = shape.sizes().iter().any(|s| s.count > 1 && !s.is_place);
-            let in_one = way_told(noun) == Told::InOne;
-            assert!(
-                !(several && in_one),
-                "no sentence tells the sizes of {noun}"
-            );
-        }
-    }
-}

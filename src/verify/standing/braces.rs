@@ -101,17 +101,3 @@ fn argument(text: &str) -> Option<(&str, &str)> {
 fn has_error(node: &Node) -> bool {
     matches!(node.kind, Kind::Error(_)) || node.children().any(has_error)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn braces_say_relations_and_remarks_say_none() {
-        let said = relations_of_braces(
-            r"\underbrace{R^T \dot\omega}_{\dot\omega_B} + \underbrace{a_{1}}_{= 0} + \overbrace{b}^{\text{Euler}} + \underbrace{c}_{1}",
-        );
-        assert_eq!(said, [r"R^T \dot\omega = \dot\omega_B", "a_{1} = 0"]);
-        assert!(relations_of_braces(r"\underbrace{a_{b").is_empty());
-    }
-}

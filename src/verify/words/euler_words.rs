@@ -167,30 +167,3 @@ fn first_axis(words: &str) -> Option<u8> {
         }
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sequences_are_read_as_they_are_written() {
-        let cases = [
-            ("euler angles in the sequence 3-1-3", vec![[2, 0, 2]]),
-            ("the $z$-$x'$-$z''$ Euler angles", vec![[2, 0, 2]]),
-            ("rotation order ZYX", vec![[2, 1, 0]]),
-            ("in the x-convention", vec![[2, 0, 2]]),
-            ("the axes xyz, with the angles of Euler", vec![]),
-            ("in 1-2 days the order is 3-3-1", vec![]),
-        ];
-        for (text, expected) in cases {
-            assert_eq!(written(&text.to_lowercase()), expected, "{text}");
-        }
-    }
-
-    #[test]
-    fn turns_one_after_the_other_name_their_axes() {
-        let text = "turn by ⟨psi⟩ about the down axis, then by ⟨theta⟩ about the new ⟨y⟩, then by ⟨phi⟩ about the new ⟨x⟩ axis";
-        assert_eq!(one_after_the_other(text), Some([2, 1, 0]));
-        assert_eq!(one_after_the_other("it turns about x and about y"), None);
-    }
-}

@@ -84,31 +84,3 @@ fn symbol_before(text: &str) -> Option<usize> {
     let names = words.split_whitespace().all(|word| naming.contains(&word));
     names.then(|| number.parse().ok())?
 }
-
-#[cfg(test)]
-mod tests {
-    use super::by_adjective;
-
-    #[test]
-    fn adjectives_stand_before_and_behind() {
-        for (text, found) in [
-            (
-                "its transverse moment of inertia is ⟨0⟩ and",
-                vec![(0, false)],
-            ),
-            ("with the axial moment ⟨2⟩", vec![(2, true)]),
-            ("⟨1⟩ is the polar moment of inertia", vec![(1, true)]),
-            (
-                "the moments ⟨0⟩ (transverse) and ⟨1⟩ (axial)",
-                vec![(1, true), (0, false)],
-            ),
-            (
-                "the axial and transverse moments are ⟨0⟩ and ⟨1⟩",
-                vec![(0, true), (1, false)],
-            ),
-            ("the transverse rate ⟨0⟩", vec![]),
-        ] {
-            assert_eq!(by_adjective(text), found, "{text}");
-        }
-    }
-}

@@ -169,26 +169,3 @@ fn lone(node: &Node) -> Option<&Symbol> {
         _ => None,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::notation::document::Format;
-    use crate::notation::read;
-
-    #[test]
-    fn symbols_stand_in_their_sentence_however_it_is_wrapped() {
-        let text = "Let $\\beta$ be the\nangle, $a = b$\n\n- of $R(q)$. More.";
-        let (document, _) = read("a document", text, Format::Latex);
-        let texts = |paragraphs| -> Vec<String> {
-            let all = sentences(&document, paragraphs);
-            all.iter().map(Sentence::numbered).collect()
-        };
-        let apart = texts(Paragraphs::Apart);
-        assert_eq!(apart[0], "let ⟨0⟩ be the angle, ⟨⟩");
-        assert!(apart[1].contains("of ⟨0⟩."), "{apart:?}");
-        let joined = sentences(&document, Paragraphs::Joined);
-        assert!(joined[0].named().ends_with("of ⟨R⟩."), "{joined:?}");
-        assert_eq!(joined[0].symbols().count(), 2);
-    }
-}

@@ -147,3 +147,26 @@ $$ \sin\theta = \sin\theta_0\cos\phi - \cos\theta_0\sin\phi $$
 ";
     assert_eq!(judged(&sum, text), "pr");
 }
+
+/// Twelfths of π whose cosines are halves, or half a root.
+#[test]
+fn cosines_of_common_angles_are_exact() {
+    let values = [
+        (0, "1"),
+        (2, "\\sqrt{3}/2"),
+        (3, "\\sqrt{2}/2"),
+        (4, "1/2"),
+        (6, "0"),
+        (8, "-1/2"),
+        (9, "-\\sqrt{2}/2"),
+        (10, "-\\sqrt{3}/2"),
+        (12, "-1"),
+        (14, "-\\sqrt{3}/2"),
+        (18, "0"),
+        (20, "1/2"),
+        (22, "\\sqrt{3}/2"),
+    ];
+    let line = |(steps, value): &(i32, &str)| format!("$$ \\cos({steps}\\pi/12) = {value} $$\n");
+    let text: String = values.iter().map(line).collect();
+    assert_eq!(judged("N is an inertial frame.\n", &text), "p".repeat(13));
+}

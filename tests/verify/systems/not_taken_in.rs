@@ -22,6 +22,31 @@ $$ u = r w\times z $$
     assert_eq!(verdicts(sentences, text).0, "u");
 }
 
+/// A false line about what sentences connect with what it names is not denied, and another one is. All is connected with
+/// the ground.
+#[test]
+fn what_is_not_worked_with_bears_on_what_is_connected_with_it() {
+    let sentences = r"
+N is an inertial frame.
+$x, y, z$ are the axes of N.
+z is the upward vertical.
+The ball is a sphere of mass $m$ and radius $r$.
+G is the mass centre of the ball.
+C is a frame fixed in the ball.
+C turns relative to N about z by the angle $c$.
+$p$ is the rate of $c$.
+A turns relative to N about z by the angle $a$.
+$q$ is the rate of $a$.
+";
+    let text = r"
+$$ p = 2\dot c $$
+$$ q = 2\dot a $$
+";
+    assert_eq!(judged(sentences, text), "rr");
+    let more = format!("{sentences}The ball hits the wall.\n");
+    assert_eq!(judged(&more, text), "ur");
+}
+
 #[test]
 fn what_is_zero_before_an_impact_is_not_zero_always() {
     let sentences = r"

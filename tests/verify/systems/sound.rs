@@ -26,6 +26,25 @@ $$ \underbrace{{\mathbf J\vec\omega}}_{{{name}}} = \vec L $$
 }
 
 #[test]
+fn each_brace_on_a_line_is_asked_and_a_remark_is_not() {
+    let line = |left: &str| format!("\nIt follows that\n\n$$ {left} = 2\\vec L $$\n");
+    let brace = |name: &str, over: &str| {
+        line(&format!(
+            r"\underbrace{{\mathbf J\vec\omega}}_{{{name}}} + \overbrace{{\vec L}}^{{{over}}}"
+        ))
+    };
+    assert_eq!(judged(BODY, &brace("1", r"\text{Euler}")), "p");
+    assert_eq!(
+        judged(BODY, &brace(r"= \vec L", r"\mathbf J\vec\omega")),
+        "p"
+    );
+    assert_eq!(judged(BODY, &brace(r"= -\vec L", r"\vec L")), "r");
+    assert_eq!(judged(BODY, &brace(r"\vec L", r"\vec M")), "r");
+    let within = r"\underbrace{\vec L + \underbrace{\mathbf J\vec\omega}_{-\vec L}}_{2\vec L}";
+    assert_eq!(judged(BODY, &line(within)), "r");
+}
+
+#[test]
 fn a_new_letter_among_known_ones_is_not_defined_by_the_way() {
     let text = r"
 We write the balance as

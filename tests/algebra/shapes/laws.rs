@@ -1,9 +1,9 @@
 //! The laws of moments, at random sizes.
 
 use super::{count, moments, shape};
-use crate::mechanics::{Shape, inertia_in_axes, parallel_axis, rotation};
-use crate::scalar::{Prime, Ring};
 use nalgebra::{Matrix3, Vector3, Vector4};
+use polhode::mechanics::{Shape, inertia_in_axes, parallel_axis, rotation};
+use polhode::scalar::{Prime, Ring};
 use proptest::prelude::*;
 
 fn number() -> impl Strategy<Value = Prime> {

@@ -1,9 +1,9 @@
 //! The bodies against published tables.
 
 use super::{moments, shape};
-use crate::mechanics::inertia_of_points;
-use crate::scalar::{Field, Prime, Ring};
 use nalgebra::Vector3;
+use polhode::mechanics::inertia_of_points;
+use polhode::scalar::{Field, Prime, Ring};
 
 /// A body of mass 1 against its mass centre and its moments of inertia about x, y, z through the origin.
 ///

@@ -2,10 +2,10 @@
 //!
 //! What has no root is checked in a field of 2⁶¹ − 1 elements, where an identity holds exactly or not at all.
 
-use crate::mechanics::{Moments, Shape, possible_body};
-use crate::scalar::Field;
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual;
+use polhode::mechanics::{Moments, Shape, possible_body};
+use polhode::scalar::Field;
 use std::f64::consts::PI;
 
 mod laws;
@@ -149,5 +149,22 @@ fn the_derivative_in_a_size_is_the_limit_of_differences() {
                 off(5e-3)
             );
         }
+    }
+}
+
+/// A wall of no thickness is the surface, with nothing cancelled on the way.
+#[test]
+fn a_thin_wall_is_its_surface() {
+    let cases: [(&str, &[f64], &str, &[f64]); 3] = [
+        ("annulus", &[3.0, 3.0], "ring", &[3.0]),
+        ("tube", &[3.0, 3.0, 2.0], "cylindrical shell", &[3.0, 2.0]),
+        ("thick shell", &[3.0, 3.0], "shell", &[3.0]),
+    ];
+    for (wall, sizes, surface, radius) in cases {
+        let [thick, thin] = [(wall, sizes), (surface, radius)].map(|(name, sizes)| {
+            let body = moments(name, &2.0, sizes, &PI);
+            (body.first, body.second)
+        });
+        assert_eq!(thick, thin, "{wall}");
     }
 }
