@@ -150,6 +150,7 @@ mod the_axis;
 mod there;
 mod times;
 mod together;
+mod told_acting;
 mod told_anew;
 mod told_apart;
 mod told_in_parts;

@@ -17,7 +17,6 @@ const SAID: [&str; 2] = ["fixed", "frame"];
 /// a body, or one of its own where a sentence says what the frame is fixed in.
 pub(super) fn name_frames(declarations: &mut Vec<Declaration>) {
     declarations.retain(|d| !is_of_axes_that_meet(&d.statement));
-    tell_body_frames(declarations);
     let only = only_frame_of_bodies(declarations);
     let mut names: BTreeMap<&'static str, String> = BTreeMap::new();
     for declaration in declarations.iter() {
@@ -61,7 +60,7 @@ fn is_of_axes_that_meet(statement: &Statement) -> bool {
 }
 
 /// "The frame of the body", where nothing is called the body, is the body-fixed one.
-fn tell_body_frames(declarations: &mut [Declaration]) {
+pub(super) fn tell_body_frames(declarations: &mut [Declaration]) {
     let the_body = |term: &Term| name(term).is_some_and(|name| name == "body");
     let told = |d: &Declaration| match &d.statement {
         Statement::Is { subjects, .. } => subjects.iter().any(the_body),
@@ -69,6 +68,9 @@ fn tell_body_frames(declarations: &mut [Declaration]) {
     };
     for declaration in declarations.iter_mut() {
         tell_subject(&mut declaration.statement);
+        if let Statement::Is { what, .. } = &mut declaration.statement {
+            take_base(what);
+        }
     }
     if declarations.iter().any(told) {
         return;
@@ -79,6 +81,23 @@ fn tell_body_frames(declarations: &mut [Declaration]) {
     {
         tell_body_frame(term);
     }
+}
+
+/// "The Euler angles of the body frame relative to N" are relative to N: the frame itself is relative to none.
+fn take_base(what: &mut NounPhrase) {
+    let relative = |(slot, _): &(Slot, Term)| *slot == Slot::RelativeTo;
+    if what.slots.iter().any(relative) {
+        return;
+    }
+    let frames = what.slots.iter_mut().filter_map(|(slot, term)| match term {
+        Term::Phrase(frame) if *slot == Slot::Of && frame.head == "frame" => Some(frame),
+        _ => None,
+    });
+    let mut bases = vec![];
+    for frame in frames {
+        bases.extend(frame.slots.extract_if(.., |said| relative(said)));
+    }
+    what.slots.extend(bases);
 }
 
 /// "The orbital frame is fixed in A" was taken for a premise about frames: it is about one.

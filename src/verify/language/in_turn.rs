@@ -127,10 +127,11 @@ fn in_turn(what: &NounPhrase, number: usize, count: usize) -> NounPhrase {
 }
 
 /// What may be of each subject in turn.
-const PARTED: [Slot; 8] = [
+const PARTED: [Slot; 9] = [
     Slot::Which,
     Slot::Of,
     Slot::About,
+    Slot::At,
     Slot::RelativeTo,
     Slot::On,
     Slot::Along,

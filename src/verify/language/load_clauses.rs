@@ -4,6 +4,7 @@
 use super::lexicon::{Class, Lexicon};
 use super::reader::ARTICLES;
 use super::rewrite::put_in;
+use super::told_acting::{Acting, Load};
 use super::traits::Trait;
 use super::words::{Kind, Token};
 
@@ -38,26 +39,6 @@ const ENDS: [&str; 14] = [
 
 /// Words before what is loaded.
 const UPON: [&str; 5] = ["on", "upon", "against", "to", "onto"];
-
-/// A load with its letter: what it is, where it acts, and along what; or with the letters of its components.
-#[derive(Clone)]
-struct Load<'t> {
-    noun: &'t [Token],
-    letter: Vec<Token>,
-    at: &'t [Token],
-    along: Vec<Token>,
-    components: bool,
-}
-
-/// What one clause says.
-#[derive(Default)]
-struct Acting<'t> {
-    agent: &'t [Token],
-    body: &'t [Token],
-    at: &'t [Token],
-    along: Vec<Token>,
-    loads: Vec<Load<'t>>,
-}
 
 /// The clauses of a sentence that says with what loads things act on others.
 pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
@@ -371,55 +352,5 @@ impl<'t> Reader<'t> {
         let (body, behind) = self.name(at, false).filter(|_| acting.body.is_empty())?;
         acting.body = body;
         (ARTICLES.contains(&word) && self.is_thing(body)).then_some(behind)
-    }
-}
-
-impl Acting<'_> {
-    /// "`$N$` is the normal force of the floor on the wheel at C along y;" for each load.
-    fn clauses(&self, near: &Token) -> Vec<Token> {
-        let word = |text: &str| put_in(Kind::Word, text, near);
-        // A capital at the beginning of the sentence makes no name of an article.
-        let agent: Vec<Token> = match self.agent {
-            [first, rest @ ..] if ARTICLES.contains(&first.lower.as_str()) => {
-                [&[word(&first.lower)], rest].concat()
-            }
-            agent => agent.to_vec(),
-        };
-        let before = |text: &str, tokens: &[Token]| match tokens {
-            [] => vec![],
-            tokens => [&[word(text)], tokens].concat(),
-        };
-        let each = self.loads.iter().map(|load| {
-            let at = if load.at.is_empty() { self.at } else { load.at };
-            let along = if load.along.is_empty() {
-                &self.along
-            } else {
-                &load.along
-            };
-            let is = match load.components {
-                true => ["are", "the", "components"].map(word).to_vec(),
-                false => ["is", "the"].map(word).to_vec(),
-            };
-            let (components, along) = match load.components {
-                true => (
-                    [along.as_slice(), &["of", "the"].map(word)].concat(),
-                    vec![],
-                ),
-                false => (vec![], along.clone()),
-            };
-            [
-                load.letter.as_slice(),
-                &is,
-                &components,
-                load.noun,
-                &before("of", &agent),
-                &before("on", self.body),
-                &before("at", at),
-                &along,
-                &[put_in(Kind::Semicolon, "", near)],
-            ]
-            .concat()
-        });
-        each.flatten().collect()
     }
 }

@@ -22,6 +22,7 @@ use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
 use super::floors::lay_floors;
+use super::frames_by_adjective::tell_body_frames;
 use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
@@ -127,6 +128,7 @@ fn name_things(
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
     give_sizes_aside(&mut declarations);
+    tell_body_frames(&mut declarations);
     tell_letters_at_instants(&mut declarations);
     take_along_axes(&mut declarations);
     take_across_planes(&mut declarations);

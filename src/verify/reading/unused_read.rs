@@ -364,9 +364,12 @@ fn is_small(statement: &Statement) -> bool {
 /// The letters of a sentence that says what quantities letters are, and no more.
 fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
     let formulas: Vec<&Formula> = match statement {
-        // What bodies have says of several that they are alike.
+        // What bodies have says of several that they are alike, and a load acts whatever its letter is.
         Statement::Is { subjects, what }
-            if only_names(what.head) && !is_bodily(what.head) && what.head != MASS
+            if only_names(what.head)
+                && !is_bodily(what.head)
+                && what.head != MASS
+                && !acts_on_a_body(what)
                 || is_small(statement) =>
         {
             subjects.iter().map(in_formula).collect::<Option<_>>()?
@@ -375,6 +378,14 @@ fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
         _ => return None,
     };
     formulas.into_iter().map(node_of).collect()
+}
+
+/// Whether a noun is that of a load on a thing.
+fn acts_on_a_body(what: &NounPhrase) -> bool {
+    is_load(what)
+        && [Slot::Of, Slot::Upon]
+            .iter()
+            .any(|slot| what.slot(*slot).is_some())
 }
 
 /// The letters of a formula, those with labels as they are written.

@@ -184,7 +184,14 @@ impl Builder<'_> {
                 .flat_map(|b| self.reading.system.wholes(b))
                 .collect(),
         };
-        own.into_iter().map(|body| self.weight_on(body)).collect()
+        // Where the mass centre is at rest the weight does no work.
+        let moves = |body: &BodyId| {
+            let system = &self.reading.system;
+            let centre = &system.points[self.centre_of(*body)];
+            !centre.fixed_in.contains(&system.ground)
+        };
+        let moved: Vec<BodyId> = own.into_iter().filter(moves).collect();
+        moved.into_iter().map(|body| self.weight_on(body)).collect()
     }
 
     /// A load by its letter: one that acts somewhere, or one of a body on another.

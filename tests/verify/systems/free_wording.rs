@@ -28,7 +28,7 @@ $$ L=L_1 $$
 $$ \mathbf L\cdot\boldsymbol w=2T $$
 $$ \mathbf L\cdot\boldsymbol w=T $$
 ";
-    assert_eq!(judged(sentences, text), "pupupu");
+    assert_eq!(judged(sentences, text), "prprpr");
 }
 
 #[test]
