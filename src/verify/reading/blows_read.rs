@@ -215,7 +215,7 @@ pub(super) fn tells_letter_at_blow(declaration: &Declaration) -> bool {
         return false;
     };
     let letters: Vec<&Formula> = formulas(subjects).collect();
-    letters.len() == subjects.len() && what.head != AT_REST && is_at_blow(what)
+    letters.len() == subjects.len() && !matches!(what.head, AT_REST | "zero") && is_at_blow(what)
 }
 
 /// Whether a quantity is one at a side of a blow.

@@ -5,6 +5,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::Kind;
+use crate::verify::language::heads::WEIGHT;
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
@@ -308,7 +309,10 @@ fn tells_other_impulse(declaration: &Declaration) -> bool {
             what.slot(Slot::Of).is_none() || what.slot(Slot::Upon).is_none()
         }
         Statement::Does { subjects, .. } => subjects.iter().any(|load| load.is_noun(IMPULSE)),
-        Statement::Premise(premise) => premise.head == IMPULSE,
+        Statement::Premise(premise) => {
+            let of_weight = premise.slot(Slot::Of).is_some_and(|of| of.is_noun(WEIGHT));
+            premise.head == IMPULSE && !of_weight
+        }
         _ => false,
     }
 }
