@@ -167,6 +167,7 @@ fn name_things(
 
 /// Turns of frames and bodies, and the axes about which they turn.
 fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    tell_axes(declarations);
     place_by_angles(declarations, macros);
     name_triads(declarations);
     turn_at_told_rates(declarations);
