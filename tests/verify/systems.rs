@@ -18,6 +18,7 @@ mod frames_that_move;
 mod free_wording;
 mod hung_rods;
 mod idle_words;
+mod impacts;
 mod incline;
 mod instants;
 mod integrals;

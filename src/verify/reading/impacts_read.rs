@@ -12,7 +12,7 @@ use crate::verify::language::statement::{
 use crate::verify::model::blows::Side;
 use crate::verify::model::bodies::Velocities::Absolute;
 use crate::verify::model::system::{BodyId, FrameId, PointId, Turn, Vector};
-use crate::verify::reading::blows_read::is_at_blow;
+use crate::verify::reading::blows_read::{is_at_blow, side};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::compounds_read::symbols_in;
 use crate::verify::reading::names::{name_of, node_of};
@@ -300,6 +300,20 @@ fn sticks(declaration: &Declaration, striker: &Term, on: &Term) -> bool {
     };
     let mut others = slots.iter().map(|(_, other)| other);
     subjects == [striker.clone()] && others.all(|other| name_of(other) == name_of(on))
+}
+
+/// "After the impact the weights are the only loads on the rod", where sentences tell what strikes what: what is so just after
+/// the impact these loads don't change, and of later times no line is denied.
+pub(super) fn tells_loads_after_strike(declaration: &Declaration, all: &[Declaration]) -> bool {
+    let Statement::Premise(loads) = &declaration.statement else {
+        return false;
+    };
+    let later = loads
+        .slots
+        .iter()
+        .any(|(_, when)| side(when) == Some(Side::After));
+    let strikes = |d: &Declaration| d.statement.does("strike").is_some();
+    loads.is("only") && later && all.iter().any(strikes)
 }
 
 /// Whether a sentence tells of an impulse that is none of one thing on another.

@@ -6,7 +6,7 @@ use crate::verify::language::heads::{
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::impacts_read::tells_place_at_blow;
+use crate::verify::reading::impacts_read::{tells_loads_after_strike, tells_place_at_blow};
 use crate::verify::reading::instants_read::is_of_instant;
 use crate::verify::reading::loads_read::AT_REST;
 use crate::verify::reading::names::{POTENTIAL, node_of};
@@ -45,6 +45,8 @@ impl Builder<'_> {
         let others = declarations
             .iter()
             .filter(|d| !is_of_instant(d) && !tells_place_at_blow(d));
+        let all = self.declarations;
+        let others = others.filter(|d| !tells_loads_after_strike(d, all));
         others.for_each(|d| self.say_unused(d));
     }
 }
