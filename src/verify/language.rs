@@ -66,6 +66,7 @@ mod headings;
 pub(crate) mod heads;
 mod hinges;
 mod hung_rods;
+mod impacts;
 mod implied;
 mod in_lists;
 mod in_turn;

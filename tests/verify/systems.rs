@@ -19,6 +19,7 @@ mod frames_that_move;
 mod free_wording;
 mod hung_rods;
 mod idle_words;
+mod impacts;
 mod in_other_orders;
 mod incline;
 mod instants;

@@ -231,23 +231,35 @@ pub(crate) fn shape_by_name(declarations: &mut [Declaration], lexicon: &Lexicon)
 
 /// "A is a frame with the axes x, y, z": these are its axes.
 pub(crate) fn tell_axes(declarations: &mut Vec<Declaration>) {
-    say_besides(declarations, |statement| {
-        let Statement::Is { subjects, what } = statement else {
-            return vec![];
-        };
-        let axes: Vec<Term> = what.all(Slot::With).cloned().collect();
-        let named = axes.iter().all(|axis| name(axis).is_some());
-        match subjects.as_slice() {
-            [frame] if what.head == "frame" && named && axes.len() == 3 => {
-                what.slots.retain(|(slot, _)| *slot != Slot::With);
-                vec![Statement::Is {
-                    subjects: axes,
-                    what: NounPhrase::new("axes", vec![(Slot::Of, frame.clone())]),
-                }]
-            }
-            _ => vec![],
+    let mut at = 0;
+    while at < declarations.len() {
+        let axes = take_axes(&mut declarations[at].statement);
+        let axes = axes.map(|axes| declarations[at].saying(axes));
+        at += 1;
+        if let Some(axes) = axes {
+            declarations.insert(at, axes);
         }
-    });
+    }
+}
+
+/// The axes of a frame, taken out of what says that it is one.
+fn take_axes(statement: &mut Statement) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let axes: Vec<Term> = what.all(Slot::With).cloned().collect();
+    let named = axes.iter().all(|axis| name(axis).is_some());
+    let [frame] = subjects.as_slice() else {
+        return None;
+    };
+    if what.head != "frame" || !named || axes.len() != 3 {
+        return None;
+    }
+    what.slots.retain(|(slot, _)| *slot != Slot::With);
+    Some(Statement::Is {
+        subjects: axes,
+        what: NounPhrase::new("axes", vec![(Slot::Of, frame.clone())]),
+    })
 }
 
 /// "P is a particle of mass `$m$` at E": it lies there.

@@ -27,6 +27,7 @@ use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
 use super::hung_rods::{lay_hung_rods, name_rod_lines};
+use super::impacts::{hang_at_impact, place_what_strikes};
 use super::in_turn::{part_letters, part_respectively};
 use super::indexed_lists::part_indexed;
 use super::introduce::introduce;
@@ -168,6 +169,7 @@ fn name_things(
 
 /// Turns of frames and bodies, and the axes about which they turn.
 fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    tell_axes(declarations);
     place_by_angles(declarations, macros);
     name_triads(declarations);
     turn_at_told_rates(declarations);
@@ -227,6 +229,7 @@ fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
 
 /// Where bodies end, and where they are joined.
 fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let downward = hang_at_impact(declarations, macros);
     tell_axes_that_point_down(declarations);
     name_level_axes(declarations);
     tell_axes_at_zero(declarations);
@@ -236,6 +239,7 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     fix_ends(declarations);
     lay_by_angles(declarations, macros);
     lay_hung_rods(declarations, macros);
+    place_what_strikes(declarations, &downward, macros);
     begin_rods(declarations, macros);
     name_rod_lines(declarations);
     name_placed_centres(declarations);

@@ -147,6 +147,8 @@ pub(crate) struct Atoms {
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
     pub(super) changes: Changes,
+    /// Coordinates that are zero in a blow.
+    pub(super) none_at_blow: BTreeSet<Variable>,
 }
 
 /// A variable as a fraction.

@@ -3,7 +3,7 @@
 //! What a velocity is just before a blow and just after it are two variables, beside the one that it is at any time.
 
 use crate::algebra::{Fraction, Place, Polynomial, Variable, compose_by};
-use crate::verify::model::atoms::{Key, Motion, Nature, fraction};
+use crate::verify::model::atoms::{Atoms, Key, Motion, Nature, fraction, whole};
 use crate::verify::model::loads::Lasting;
 use crate::verify::model::system::{System, Turn, Vector};
 use num_traits::Zero;
@@ -29,6 +29,13 @@ impl Side {
     }
 }
 
+impl Atoms {
+    /// "`$\\theta$` is zero just before the impact."
+    pub(crate) fn set_none_at_blow(&mut self, coordinate: Variable) {
+        self.none_at_blow.insert(coordinate);
+    }
+}
+
 impl System {
     /// What a value is at a side of a blow; none where accelerations or letters tell it of which nothing is told.
     pub(crate) fn at_blow(&mut self, value: &Fraction, side: Side) -> Option<Fraction> {
@@ -48,6 +55,9 @@ impl System {
     }
 
     fn variable_at_blow(&mut self, variable: Variable, side: Side) -> Option<Fraction> {
+        if self.atoms.none_at_blow.contains(&variable) {
+            return Some(Fraction::zero());
+        }
         let atom = self.atoms.atom(variable).clone();
         if let Some(law) = &atom.law {
             return self.at_blow(&law.value, side);
@@ -65,10 +75,14 @@ impl System {
                 (!moves).then(|| fraction(variable))
             }
             _ if fixed => Some(fraction(variable)),
-            Nature::Sine(of) | Nature::Cosine(of) => {
-                let same = self.at_blow(of, side)? == *of;
-                same.then(|| fraction(variable))
-            }
+            Nature::Sine(of) | Nature::Cosine(of) => match self.at_blow(of, side)? {
+                then if then == *of => Some(fraction(variable)),
+                then if then.is_zero() => {
+                    let cosine = matches!(atom.nature, Nature::Cosine(_));
+                    Some(whole(i64::from(cosine)))
+                }
+                _ => None,
+            },
             _ if atom.place == Place::Acceleration => None,
             _ if atom.place == Place::Rate || self.is_rate(variable)? => {
                 let text = format!("{}{}", atom.key.text, side.mark());
@@ -88,7 +102,7 @@ impl System {
 
     /// Whether a variable tells where something is, or is brought by the blow. What another letter tells may be of the
     /// velocities, and jump as they do.
-    fn stays(&self, variable: Variable) -> bool {
+    pub(crate) fn stays(&self, variable: Variable) -> bool {
         let angles = self.frames.iter().filter_map(|frame| match &frame.turn {
             Turn::Angle(_, angle) | Turn::About(_, angle) => Some(angle.as_ref()),
             _ => None,

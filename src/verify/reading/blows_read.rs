@@ -13,6 +13,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::{AT_REST, lasting_of};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
     /// Whether sentences tell of both sides of a blow.
@@ -26,16 +27,22 @@ impl Builder<'_> {
         });
     }
 
-    /// "`$u$` is the velocity of G relative to N just after the impulse."
+    /// "`$u$` is the velocity of G relative to N just after the impulse", "`$J$` is the impulse of the bullet on the rod".
+    /// False where a sentence is of no blow.
     pub(super) fn read_letter_at_blow(
         &mut self,
         subjects: &[Term],
         what: &NounPhrase,
         declaration: &Declaration,
-    ) {
+    ) -> bool {
+        if !tells_letter_at_blow(declaration) {
+            let read = self.read_impulse_of_strike(subjects, what, declaration);
+            return read.is_some();
+        }
         if self.denote_at_blow(subjects, what, declaration).is_none() {
             self.say_unused(declaration);
         }
+        true
     }
 
     fn denote_at_blow(
@@ -54,9 +61,44 @@ impl Builder<'_> {
         for entry in &mut value.entries {
             *entry = self.reading.system.at_blow(entry, side)?;
         }
-        let known = Meaning::Quantity(Quantity::Known(value));
-        self.denote(letter, known, declaration);
+        self.denote_value_at_blow(letter, value, declaration)
+    }
+
+    /// A letter, or the one letter of a formula of which nothing is told, that makes up a value at a side of a blow.
+    fn denote_value_at_blow(
+        &mut self,
+        formula: &Formula,
+        value: Value,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let held = self.hold_formula_at_blow(formula, &value, declaration);
+        held.unwrap_or_else(|| {
+            let known = Meaning::Quantity(Quantity::Known(value));
+            self.denote(formula, known, declaration);
+        });
         Some(())
+    }
+
+    /// "`$J$` is the impulse of the bullet on the rod", where that strikes it.
+    fn read_impulse_of_strike(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> Option<()> {
+        let [Term::Formula(letter)] = subjects else {
+            return None;
+        };
+        let impulse = self.impulse_of_strike(what)?;
+        let value = match what.slot(Slot::Along) {
+            Some(along) => {
+                let along = self.direction(along, declaration, None)?;
+                let along = self.reading.system.vector_at_blow(&along, Side::After)?;
+                Value::scalar(along.dot(&impulse))
+            }
+            None => Value::vector(&impulse, Basis::Itself),
+        };
+        self.denote_value_at_blow(letter, value, declaration)
     }
 
     /// What always holds does so on both sides of the blow, and what rests before it has no velocity there.
@@ -64,6 +106,7 @@ impl Builder<'_> {
         if !self.reading.instants.blow {
             return self.rest_before_no_blow();
         }
+        self.hold_strike();
         for premise in &self.reading.premises.clone() {
             for side in [Side::Before, Side::After] {
                 let then = self.reading.system.at_blow(&premise.equation, side);
@@ -172,7 +215,7 @@ pub(super) fn tells_letter_at_blow(declaration: &Declaration) -> bool {
         return false;
     };
     let letters: Vec<&Formula> = formulas(subjects).collect();
-    letters.len() == subjects.len() && what.head != AT_REST && is_at_blow(what)
+    letters.len() == subjects.len() && !matches!(what.head, AT_REST | "zero") && is_at_blow(what)
 }
 
 /// Whether a quantity is one at a side of a blow.

@@ -84,6 +84,8 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
     builder.name_values_at_instants(&conditional);
     let bounds = builder.read_bounds(&always);
     builder.name_axes_in_formulas();
+    builder.read_places_at_blow(&conditional);
+    builder.read_strikes();
     builder.read_letters();
     builder.step_functions();
     builder.hold_told_places();

@@ -2,6 +2,7 @@
 
 use crate::algebra::{Fraction, Variable};
 use crate::verify::facts::Source;
+use crate::verify::reading::impacts_read::Strike;
 use crate::verify::term::letters::{At, Reach};
 use std::collections::BTreeSet;
 
@@ -23,6 +24,8 @@ pub(crate) struct Instants {
     pub(crate) labelled: bool,
     /// Whether sentences tell of both sides of a blow.
     pub(crate) blow: bool,
+    /// What strikes what.
+    pub(crate) strike: Option<Strike>,
     /// The instant whose values are in force, and how many these are.
     pub(crate) taken: Option<(usize, usize)>,
 }

@@ -11,7 +11,6 @@ use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
 use crate::verify::model::system::Vector;
-use crate::verify::reading::blows_read::tells_letter_at_blow;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::body_ends::{APEX, END};
 use crate::verify::reading::builder::{Builder, place_in};
@@ -90,9 +89,8 @@ impl Builder<'_> {
 
     fn read_letter(&mut self, declaration: &Declaration) {
         match &declaration.statement {
-            Statement::Is { subjects, what } if tells_letter_at_blow(declaration) => {
-                self.read_letter_at_blow(subjects, what, declaration);
-            }
+            Statement::Is { subjects, what }
+                if self.read_letter_at_blow(subjects, what, declaration) => {}
             Statement::Is { subjects, what } if reads_derivative(subjects, what) => {}
             Statement::Is { subjects, what } => {
                 self.read_noun(subjects, what, declaration);

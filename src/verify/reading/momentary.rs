@@ -6,6 +6,7 @@ use crate::verify::language::heads::{
 use crate::verify::language::is_body;
 use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::reading::builder::Builder;
+use crate::verify::reading::impacts_read::{tells_loads_after_strike, tells_place_at_blow};
 use crate::verify::reading::instants_read::is_of_instant;
 use crate::verify::reading::loads_read::AT_REST;
 use crate::verify::reading::names::{POTENTIAL, node_of};
@@ -41,7 +42,11 @@ const MOTIONS: [&str; 5] = ["place", "move", "slide", "swing", "fall"];
 impl Builder<'_> {
     /// What holds at a time or under a condition that no relation tells is not worked with.
     pub(super) fn say_conditional(&mut self, declarations: &[Declaration]) {
-        let others = declarations.iter().filter(|d| !is_of_instant(d));
+        let others = declarations
+            .iter()
+            .filter(|d| !is_of_instant(d) && !tells_place_at_blow(d));
+        let all = self.declarations;
+        let others = others.filter(|d| !tells_loads_after_strike(d, all));
         others.for_each(|d| self.say_unused(d));
     }
 }

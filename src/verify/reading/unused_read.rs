@@ -107,6 +107,10 @@ impl Builder<'_> {
                     verb: "pass",
                     ..
                 } => subjects.iter().all(|axis| self.is_axis_of_surface(axis)),
+                Statement::Does {
+                    verb: "strike" | "stick",
+                    ..
+                } => self.is_strike_read(),
                 Statement::Does { verb, .. } => HEARD.contains(verb),
                 Statement::Is { subjects, what } => self.has_use_for(subjects, what),
                 Statement::Unread { .. } => false,

@@ -51,6 +51,11 @@ impl Builder<'_> {
         if phrase.slot(Slot::At).is_some() {
             return None;
         }
+        // Weights bring no momentum in a blow.
+        let of_weight = phrase.slot(Slot::Of).is_some_and(|of| of.is_noun(WEIGHT));
+        if phrase.head == "impulse" && of_weight && self.reading.instants.blow {
+            return Some(());
+        }
         if is_of_products(phrase) {
             return self.zero_products(phrase, declaration);
         }
