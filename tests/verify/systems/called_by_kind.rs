@@ -4,7 +4,7 @@ use super::{judged, verdicts};
 
 #[test]
 fn a_frame_without_a_letter_is_called_by_its_kind() {
-    let lines = "$$ w = \\dot q\\,k $$\n$$ w = -\\dot q\\,k $$\n$$ p = 0 $$\n$$ r = 0 $$\n";
+    let lines = "$$ w = \\dot q\\,k $$\n$$ w = -\\dot q\\,k $$\n$$ p = 0 $$\n";
     for kind in ["body", "world", "orbital", "laboratory"] {
         let sentences = format!(
             "E is an inertial frame.
@@ -14,10 +14,9 @@ $i$, $j$, $k$ are the axes of the {kind} frame.
 The {kind} frame turns relative to E about $k$ by the angle $q$.
 $w$ is the angular velocity of the hull relative to E.
 $p$, $s$, $r$ are the components of $w$ on the {kind} frame.
-$q$ is not constant.
 "
         );
-        assert_eq!(verdicts(&sentences, lines).0, "prpr", "{kind}");
+        assert_eq!(verdicts(&sentences, lines).0, "prp", "{kind}");
     }
 }
 
