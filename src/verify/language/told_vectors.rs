@@ -43,13 +43,19 @@ pub(crate) fn turn_about_told_vectors(declarations: &mut Vec<Declaration>, macro
 /// The same of turns about vectors that lead from one point to another: "`$u$` is the unit vector from O to D", where another
 /// sentence places D from O by a formula.
 pub(super) fn turn_about_ways(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    let ways: Vec<Formula> = declarations
+    let mut ways: Vec<Formula> = declarations
         .iter()
         .filter_map(|d| letter_of_way(&d.statement, declarations))
         .collect();
     if ways.is_empty() {
         return;
     }
+    // Of a body without a frame nothing else would tell how it turns.
+    let carrying = bodies_with_frames(declarations);
+    ways.retain(|way| {
+        let mut all = declarations.iter();
+        all.all(|d| !turns_without_frame(&d.statement, way, &carrying))
+    });
     let mut pivots = vec![];
     for declaration in declarations.iter_mut() {
         let pivot = about_letter(&mut declaration.statement, &ways);
@@ -84,6 +90,37 @@ fn letter_of_way(statement: &Statement, all: &[Declaration]) -> Option<Formula> 
         _ => false,
     });
     placed.then(|| letter.clone())
+}
+
+/// Whether something that carries no frame turns about a letter.
+fn turns_without_frame(statement: &Statement, letter: &Formula, carrying: &[Term]) -> bool {
+    let Some((subjects, slots)) = statement.does("turn") else {
+        return false;
+    };
+    let along = match slot(slots, Slot::About) {
+        Some(Term::Phrase(axis)) => axis.slot(Slot::Along),
+        about => about,
+    };
+    let own = matches!(along, Some(Term::Formula(along)) if along.source == letter.source);
+    own && !subjects.iter().all(|subject| carrying.contains(subject))
+}
+
+/// The bodies in which frames are said to be fixed, and these frames.
+fn bodies_with_frames(declarations: &[Declaration]) -> Vec<Term> {
+    let told = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" => Some(subjects),
+        _ => None,
+    });
+    let frames: Vec<&Term> = told.flatten().collect();
+    let inside = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let frame = subjects.iter().any(|subject| frames.contains(&subject));
+            frame.then(|| what.all(Slot::FixedIn))
+        }
+        _ => None,
+    });
+    let bodies: Vec<Term> = inside.flatten().cloned().collect();
+    frames.into_iter().cloned().chain(bodies).collect()
 }
 
 fn has_letter(node: &Node, letter: &Formula) -> bool {

@@ -144,28 +144,9 @@ impl Builder<'_> {
         }
     }
 
-    fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {
+    pub(super) fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {
         let size = Quantity::Magnitude(vector.clone().boxed());
         self.system().value_of(&size).ok()?.to_scalar().ok()
-    }
-
-    /// A unit vector about which something turns points along what another sentence says, with its sense.
-    fn hold_direction(&mut self, unit: &Quantity, along: &Quantity, declaration: &Declaration) {
-        let vector = |builder: &mut Self, of: &Quantity| {
-            let value = builder.system().value_of(of).ok()?;
-            (value.basis[0] != Basis::Written).then(|| value.to_vector().ok())?
-        };
-        let (Some(n), Some(way)) = (vector(self, unit), vector(self, along)) else {
-            return self.say_unused(declaration);
-        };
-        let size = self.size_of(along);
-        let apart = match size {
-            Some(size) => n * size - way,
-            None => mechanics::cross(&n, &way),
-        };
-        if !self.vanishes(&apart) {
-            self.hold_zero(&apart, declaration);
-        }
     }
 
     fn hold_parallel(

@@ -210,13 +210,6 @@ impl Lowering<'_> {
         self.system.atoms.atom(variable).place == Place::Acceleration
     }
 
-    /// Whether a variable is a coordinate of a point that no sentence places, or a rate of one.
-    fn is_hidden(&self, variable: Variable) -> bool {
-        let atoms = &self.system.atoms;
-        let mut all = std::iter::once(variable).chain(atoms.antiderivatives(variable));
-        all.any(|v| atoms.is_unplaced(v))
-    }
-
     /// ∂f/∂x, with everything that laws tell put in and all other free variables, or arguments, held fixed.
     fn partial(&mut self, value: &Value, x: &Node, by: &Value) -> Valued {
         let kept = self.arguments_with(x, by)?;
@@ -248,9 +241,9 @@ impl Lowering<'_> {
                     return beyond(DRIVEN);
                 }
                 // Where a point lies that no sentence places, relations may tell by the variable.
-                if !self.is_hidden(variable)
-                    && entry.variables().into_iter().any(|v| self.is_hidden(v))
-                {
+                let atoms = &self.system.atoms;
+                let hidden = |v: Variable| atoms.is_hidden(v);
+                if !hidden(variable) && entry.variables().into_iter().any(hidden) {
                     return beyond(NOT_FREE);
                 }
                 entries.push(self.system.partial(entry, variable));
