@@ -1,6 +1,7 @@
 //! Systems that sentences declare: the equations of each come out of the laws, and slips in them are denied.
 
 mod angles;
+mod arms_and_plates;
 mod at_one_time;
 mod at_zero;
 mod balance;

@@ -9,6 +9,7 @@ use super::capital_names::keep_capitals;
 use super::compound_names::Compounds;
 use super::kept::{kept, may_be_limited, speak_of_subjects};
 use super::lexicon::Lexicon;
+use super::nicknames::name_by_letters;
 use super::plain_terms::in_plain_terms;
 use super::reader::Reader;
 use super::reorder::axes;
@@ -34,6 +35,7 @@ pub fn read_declarations(
     let parted = sentences.iter().map(|(line, text)| parted(text, *line));
     let mut parted: Vec<_> = parted.collect();
     keep_capitals(&mut parted);
+    name_by_letters(&mut parted, lexicon);
     join_attachments(&mut parted);
     say_where(&mut parted, lexicon, macros);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());

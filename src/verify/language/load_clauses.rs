@@ -252,9 +252,14 @@ impl<'t> Reader<'t> {
         }
         ACTS.contains(&self.word(verb)).then_some(())?;
         acting.agent = agent;
+        // What the clause before spoke of is loaded where this one names nothing else.
+        let before = std::mem::take(&mut acting.body);
         let mut at = verb + 1;
         while let Some(behind) = self.part(at, acting) {
             at = behind;
+        }
+        if acting.body.is_empty() {
+            acting.body = before;
         }
         if acting.at.is_empty() && acting.loads.iter().all(|load| self.is_force(load)) {
             acting.at = place;

@@ -142,8 +142,24 @@ impl Parts {
         }
     }
 
+    /// "The weights are the only loads on the links": on each of them by its name.
+    fn with_names(&self, premise: &NounPhrase) -> Option<Statement> {
+        let all = |(slot, of): &(Slot, Term)| {
+            *slot == Slot::Of && name(of).as_ref() == Some(&self.plural)
+        };
+        let at = premise.slots.iter().position(all)?;
+        let mut named = premise.clone();
+        let names = self.names.iter();
+        let names = names.map(|name| (Slot::Of, Term::Name(name.clone())));
+        named.slots.splice(at..=at, names);
+        Some(Statement::Premise(named))
+    }
+
     /// A distance of parts of a rigid body, along which they are placed, is constant.
     fn told_plainly(&self, said: &Statement, all: &[Declaration]) -> Option<Statement> {
+        if let Statement::Premise(premise) = said {
+            return self.with_names(premise);
+        }
         let Statement::Is { subjects, what } = said else {
             return None;
         };

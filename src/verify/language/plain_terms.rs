@@ -13,6 +13,7 @@ use super::components_along::{take_across_planes, take_along_axes};
 use super::constancy::tell_constants;
 use super::contacts::{place_contact_forces, tell_contacts};
 use super::coordinates::tell_coordinates;
+use super::corners::place_corners;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::directed_loads::direct_loads;
 use super::disturbed::tell_disturbed;
@@ -44,6 +45,7 @@ use super::listed_between::{list_next_loads, name_by_agents};
 use super::listed_loads::act_as_listed;
 use super::meeting_axes::fix_meeting_points;
 use super::member_wheels::turn_members;
+use super::motor_reactions::tell_reactions_of_motors;
 use super::mounted::mount_wheels;
 use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
@@ -55,6 +57,7 @@ use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
 use super::parallel_frames::tell_parallel_frames;
 use super::parts_by_plural::tell_parts_by_plural;
+use super::placed_by_formula::place_by_formulas;
 use super::placed_centres::name_placed_centres;
 use super::placed_points::name_placed_points;
 use super::places::{begin_rods, tell_places, tell_reach};
@@ -82,7 +85,7 @@ use super::together::join_together;
 use super::told_anew::part_points_told_anew;
 use super::told_in_parts::say_in_parts;
 use super::told_there_alone::tell_frames_of_parts;
-use super::told_vectors::{turn_about_told_vectors, turn_at_told_rates};
+use super::told_vectors::{turn_about_told_vectors, turn_about_ways, turn_at_told_rates};
 use super::triads::name_triads;
 use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
@@ -100,9 +103,10 @@ pub(crate) fn in_plain_terms(
 ) -> Vec<Declaration> {
     let mut declarations = name_things(declarations, macros, lexicon);
     tell_turns(&mut declarations, macros);
+    tell_reactions_of_motors(&mut declarations);
     tell_loads_of_families(&mut declarations, macros);
     count_members(&mut declarations);
-    place_points(&mut declarations);
+    place_points(&mut declarations, macros);
     tell_loads(&mut declarations, macros);
     tell_axes(&mut declarations);
     name_axes_across(&mut declarations);
@@ -194,12 +198,13 @@ fn count_members(declarations: &mut Vec<Declaration>) {
 }
 
 /// Points by the things and sides where they lie.
-fn place_points(declarations: &mut Vec<Declaration>) {
+fn place_points(declarations: &mut Vec<Declaration>, macros: &Macros) {
     name_placed_points(declarations);
     tell_named_things(declarations);
     tell_places(declarations);
     tell_reach(declarations);
     tell_sides(declarations);
+    place_corners(declarations, macros);
 }
 
 /// Loads and constants, and the positions of particles.
@@ -215,6 +220,7 @@ fn tell_loads(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_by_aircraft_angles(declarations);
     tell_constants(declarations);
     name_positions(declarations);
+    place_by_formulas(declarations);
     place_particles(declarations);
     name_numbered(declarations);
 }
@@ -229,6 +235,7 @@ fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
 
 /// Where bodies end, and where they are joined.
 fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    turn_about_ways(declarations, macros);
     let downward = hang_at_impact(declarations, macros);
     tell_axes_that_point_down(declarations);
     name_level_axes(declarations);

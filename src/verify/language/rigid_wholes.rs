@@ -3,7 +3,7 @@
 use super::heads::ANGULAR_VELOCITY;
 use super::is_body;
 use super::kinds::name;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 
 /// The noun of two particles on a rod.
 const RIGID: &str = "dumb-bell";
@@ -29,6 +29,14 @@ pub(crate) fn fix_particles(declarations: &mut Vec<Declaration>) {
             };
             told.extend(still.map(|part| declaration.saying(fixed(part))));
         }
+        if let Some(base) = base_of(&parts, declarations) {
+            let fixed = |frame: &Term| {
+                let inside = vec![(Slot::FixedIn, whole.clone())];
+                Statement::one_is(frame.clone(), NounPhrase::new("fixed", inside))
+            };
+            let frames = frames_fixed_in(base, declarations);
+            told.extend(frames.map(|frame| declaration.saying(fixed(frame))));
+        }
         if !particles || !rigid {
             continue;
         }
@@ -44,6 +52,38 @@ pub(crate) fn fix_particles(declarations: &mut Vec<Declaration>) {
         }
     }
     declarations.extend(told);
+}
+
+/// "The body consists of the plate and two particles", which are fixed in the plate: the part in which all others are fixed.
+fn base_of<'t>(parts: &'t [Term], declarations: &[Declaration]) -> Option<&'t Term> {
+    let fixed_in = |part: &Term, base: &Term| {
+        declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } => {
+                let inside: Vec<&Term> = what.all(Slot::FixedIn).collect();
+                subjects.contains(part) && inside == [base] && d.extent == Extent::Document
+            }
+            _ => false,
+        })
+    };
+    let mut bases = parts.iter().filter(|base| {
+        let mut others = parts.iter().filter(|part| part != base);
+        parts.len() > 1 && others.all(|part| fixed_in(part, base))
+    });
+    bases.next().filter(|_| bases.next().is_none())
+}
+
+fn frames_fixed_in<'d>(
+    body: &Term,
+    declarations: &'d [Declaration],
+) -> impl Iterator<Item = &'d Term> {
+    let frames = declarations.iter().filter_map(move |d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" => {
+            let inside: Vec<&Term> = what.all(Slot::FixedIn).collect();
+            (inside == [body]).then_some(subjects)
+        }
+        _ => None,
+    });
+    frames.flatten()
 }
 
 /// Whether sentences say that a thing is a body, and none says how it moves, what it is fixed in or what is fixed in it.

@@ -2,7 +2,7 @@
 
 use super::counted::axes_listed;
 use super::heads::SEMI_AXIS;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::say_besides;
 
 /// What has a length along an axis.
@@ -10,11 +10,14 @@ const SIDES: [&str; 2] = ["side", SEMI_AXIS];
 
 /// "The block is a uniform box with the edges `$a$`, `$b$`, `$c$` along x, y, z": each is a side along its axis.
 pub(crate) fn tell_sides(declarations: &mut Vec<Declaration>) {
-    let laid: Vec<Laid> = declarations
-        .iter()
-        .filter_map(|d| laid_by_letters(&d.statement))
-        .collect();
-    say_besides(declarations, |statement| lay_sides(statement, &laid));
+    join_sides(declarations);
+    let laid = |d: &Declaration| laid_by_letters(&d.statement, declarations);
+    let laid: Vec<Option<Laid>> = declarations.iter().map(laid).collect();
+    let all: Vec<Laid> = laid.iter().flatten().cloned().collect();
+    let mut own = laid.into_iter();
+    say_besides(declarations, |statement| {
+        lay_sides(statement, own.next().flatten(), &all)
+    });
     let lying = sides_that_lie(declarations);
     let before = declarations.len();
     say_besides(declarations, |statement| {
@@ -32,6 +35,56 @@ pub(crate) fn tell_sides(declarations: &mut Vec<Declaration>) {
     }
 }
 
+/// "The side `$a$` lies along x from O; the side `$b$` lies along y from O": both lie so from there, as one sentence says it.
+fn join_sides(declarations: &mut Vec<Declaration>) {
+    let mut at = 0;
+    while at < declarations.len() {
+        let Some((corner, ..)) = side_from_corner(&declarations[at].statement) else {
+            at += 1;
+            continue;
+        };
+        let (mut letters, mut axes) = (vec![], vec![]);
+        let mut place = 0;
+        declarations.retain(|d| {
+            place += 1;
+            match side_from_corner(&d.statement) {
+                Some((own, letter, axis)) if own == corner => {
+                    letters.push((Slot::Which, letter));
+                    axes.push((Slot::Along, axis));
+                    place == at + 1
+                }
+                _ => true,
+            }
+        });
+        if let Statement::Does {
+            subjects, slots, ..
+        } = &mut declarations[at].statement
+            && let [Term::Phrase(sides)] = subjects.as_mut_slice()
+        {
+            sides.slots.retain(|(slot, _)| *slot != Slot::Which);
+            sides.slots.extend(letters);
+            slots.retain(|(slot, _)| *slot != Slot::Along);
+            slots.extend(axes);
+        }
+        at += 1;
+    }
+}
+
+/// "The side `$a$` of the plate lies along x from O": whose corner that is and which, the letter, and the axis.
+fn side_from_corner(statement: &Statement) -> Option<((Option<Term>, Term), Term, Term)> {
+    let (subjects, slots) = statement.does("lie")?;
+    let [Term::Phrase(side)] = subjects else {
+        return None;
+    };
+    let letters: Vec<&Term> = side.all(Slot::Which).collect();
+    let ([letter], [_, _]) = (letters.as_slice(), slots) else {
+        return None;
+    };
+    let (from, along) = (slot(slots, Slot::From)?, slot(slots, Slot::Along)?);
+    let whose = (side.slot(Slot::Of).cloned(), from.clone());
+    (side.head == SIDES[0]).then(|| (whose, (*letter).clone(), along.clone()))
+}
+
 /// Sides by their letters, and along which axes they lie.
 #[derive(Clone, PartialEq)]
 struct Laid {
@@ -44,7 +97,7 @@ struct Laid {
 }
 
 /// "The sides `$a$` and `$b$` of the plate lie along x and y from O."
-fn laid_by_letters(statement: &Statement) -> Option<Laid> {
+fn laid_by_letters(statement: &Statement, all: &[Declaration]) -> Option<Laid> {
     let (subjects, slots) = statement.does("lie")?;
     let [Term::Phrase(sides)] = subjects else {
         return None;
@@ -58,7 +111,9 @@ fn laid_by_letters(statement: &Statement) -> Option<Laid> {
     let known = |slot: &Slot| matches!(slot, Slot::Along | Slot::From);
     let whole = slots.iter().all(|(slot, _)| known(slot)) && from.len() < 2;
     let laid = SIDES.contains(&sides.head) && letters.len() == along.len() && !letters.is_empty();
-    let of = sides.slot(Slot::Of).filter(|_| whole && laid)?.clone();
+    let of = sides.slot(Slot::Of).cloned();
+    let of = of.or_else(|| owner_of_sides(&letters, all));
+    let of = of.filter(|_| whole && laid)?;
     Some(Laid {
         noun: sides.head,
         of,
@@ -68,6 +123,26 @@ fn laid_by_letters(statement: &Statement) -> Option<Laid> {
     })
 }
 
+/// The only thing of which a sentence says that it has these sides.
+fn owner_of_sides(letters: &[Term], all: &[Declaration]) -> Option<Term> {
+    let has = |declaration: &&Declaration| match &declaration.statement {
+        Statement::Is { what, .. } => {
+            let own = what.slots.iter().filter_map(|(_, term)| match term {
+                Term::Phrase(sides) if SIDES.contains(&sides.head) => Some(sides),
+                _ => None,
+            });
+            let own: Vec<&Term> = own.flat_map(|sides| sides.all(Slot::Which)).collect();
+            letters.iter().all(|letter| own.contains(&letter))
+        }
+        _ => false,
+    };
+    let mut owners = all.iter().filter(has);
+    match (owners.next().map(|d| d.statement.subjects()), owners.next()) {
+        (Some([owner]), None) => Some(owner.clone()),
+        _ => None,
+    }
+}
+
 fn all_of(slots: &[(Slot, Term)], wanted: Slot) -> Vec<Term> {
     let own = slots.iter().filter(|(slot, _)| *slot == wanted);
     own.map(|(_, term)| term.clone()).collect()
@@ -75,7 +150,7 @@ fn all_of(slots: &[(Slot, Term)], wanted: Slot) -> Vec<Term> {
 
 /// Says of each letter along what it lies, where a sentence does so for all, and leaves the letters out where the shape is
 /// told.
-fn lay_sides(statement: &mut Statement, laid: &[Laid]) -> Vec<Statement> {
+fn lay_sides(statement: &mut Statement, own: Option<Laid>, laid: &[Laid]) -> Vec<Statement> {
     if let Statement::Is { subjects, what } = statement {
         let [thing] = subjects.as_slice() else {
             return vec![];
@@ -92,7 +167,7 @@ fn lay_sides(statement: &mut Statement, laid: &[Laid]) -> Vec<Statement> {
         });
         return vec![];
     }
-    let Some(laid) = laid_by_letters(statement) else {
+    let Some(laid) = own else {
         return vec![];
     };
     let each = laid.letters.iter().zip(&laid.along);

@@ -2,6 +2,7 @@
 
 use super::heads::{CONSTANT, FORCE, FRICTION, UNIT_VECTOR, WEIGHT, WITHOUT_FRICTION};
 use super::kinds::{is_said_to_be_body, name};
+use super::one_thing::is_letter;
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use crate::notation::Macros;
@@ -88,6 +89,12 @@ fn tie(declaration: &Declaration, all: &[Declaration], macros: &Macros) -> Optio
     });
     let number = all.iter().position(|d| d == declaration)?;
     let new = || letter(&format!("S_{{rod,{number}}}"), macros);
+    // "A massless rod joins O to P": what is fixed does not hang.
+    let fixed = is_fixed_point(hanging, all) && !is_fixed_point(from, all);
+    let (hanging, from) = match fixed {
+        true => (from, hanging),
+        false => (hanging, from),
+    };
     Some(Tie {
         called: called.clone(),
         hanging: hanging.clone(),
@@ -97,6 +104,22 @@ fn tie(declaration: &Declaration, all: &[Declaration], macros: &Macros) -> Optio
         declaration: declaration.clone(),
         rod: rod.statement.clone(),
     })
+}
+
+/// Whether a sentence says that something is a point fixed in a frame.
+fn is_fixed_point(term: &Term, all: &[Declaration]) -> bool {
+    all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let fixed = what.slot(Slot::FixedIn).is_some() || what.is("fixed");
+            subjects.contains(term) && fixed && matches!(what.head, "point" | "fixed")
+        }
+        _ => false,
+    })
+}
+
+/// Whether the pull of a rod has a letter of its own.
+fn is_one_letter(pull: &Term) -> bool {
+    matches!(pull, Term::Formula(letter) if is_letter(letter))
 }
 
 fn letter(source: &str, macros: &Macros) -> Option<Term> {
@@ -180,7 +203,11 @@ fn pull_along(statement: &mut Statement, ties: &[Tie]) {
         Statement::Is { subjects, what }
             if is_pull(what, &tie.called) && subjects.contains(&tie.pull) =>
         {
-            *what = NounPhrase::new(TENSION, vec![(Slot::At, tie.hanging.clone())]);
+            let noun = match is_one_letter(&tie.pull) {
+                true => TENSION,
+                false => FORCE,
+            };
+            *what = NounPhrase::new(noun, vec![(Slot::At, tie.hanging.clone())]);
         }
         Statement::Premise(premise) if premise.is("only") => {
             for (_, term) in &mut premise.slots {
@@ -211,12 +238,15 @@ fn statements(tie: &Tie, declarations: &[Declaration]) -> Vec<Statement> {
     let mut said = vec![
         Statement::one_is(tie.length.clone(), distance),
         Statement::one_is(tie.length.clone(), constant),
-        Statement::Does {
+    ];
+    // A formula says along what the rod pulls.
+    if is_one_letter(&tie.pull) {
+        said.push(Statement::Does {
             subjects: vec![tie.pull.clone()],
             verb: "point",
             slots: vec![(Slot::With, along(tie, UNIT_VECTOR))],
-        },
-    ];
+        });
+    }
     if !told(&tie.pull) {
         said.push(Statement::one_is(tie.pull.clone(), pull));
     }

@@ -37,15 +37,147 @@ pub(crate) fn turn_about_told_vectors(declarations: &mut Vec<Declaration>, macro
         .filter_map(|d| letter_told(&d.statement))
         .map(|letter| alike(&letter))
         .collect();
+    tell_by_letters(declarations, &told, "turn", macros);
+}
+
+/// The same of turns about vectors that lead from one point to another: "`$u$` is the unit vector from O to D", where another
+/// sentence places D from O by a formula.
+pub(super) fn turn_about_ways(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    let mut ways: Vec<Formula> = declarations
+        .iter()
+        .filter_map(|d| letter_of_way(&d.statement, declarations))
+        .collect();
+    if ways.is_empty() {
+        return;
+    }
+    // Of a body without a frame nothing else would tell how it turns.
+    let carrying = bodies_with_frames(declarations);
+    ways.retain(|way| {
+        let mut all = declarations.iter();
+        all.all(|d| !turns_without_frame(&d.statement, way, &carrying))
+    });
+    let mut pivots = vec![];
+    for declaration in declarations.iter_mut() {
+        let pivot = about_letter(&mut declaration.statement, &ways);
+        pivots.extend(pivot.map(|pivot| declaration.saying(pivot)));
+    }
+    declarations.extend(pivots);
+    let told: Vec<Formula> = ways.iter().map(alike).collect();
+    tell_by_letters(declarations, &told, "way", macros);
+}
+
+/// The letter of a unit vector from one point to another that is placed from the first by a formula.
+fn letter_of_way(statement: &Statement, all: &[Declaration]) -> Option<Formula> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([Term::Formula(letter)], UNIT_VECTOR, [_, _]) =
+        (subjects.as_slice(), what.head, what.slots.as_slice())
+    else {
+        return None;
+    };
+    let (from, to) = (what.slot(Slot::From)?, what.slot(Slot::To)?);
+    let own = alike(letter);
+    let placed = all.iter().any(|d| match d.statement.does("place") {
+        Some(([point], slots)) if point == to && slot(slots, Slot::From) == Some(from) => {
+            match slot(slots, Slot::By) {
+                Some(Term::Formula(way)) => {
+                    !is_letter(way) && way.node().is_some_and(|node| !has_letter(node, &own))
+                }
+                _ => false,
+            }
+        }
+        _ => false,
+    });
+    placed.then(|| letter.clone())
+}
+
+/// Whether something that carries no frame turns about a letter.
+fn turns_without_frame(statement: &Statement, letter: &Formula, carrying: &[Term]) -> bool {
+    let Some((subjects, slots)) = statement.does("turn") else {
+        return false;
+    };
+    let along = match slot(slots, Slot::About) {
+        Some(Term::Phrase(axis)) => axis.slot(Slot::Along),
+        about => about,
+    };
+    let own = matches!(along, Some(Term::Formula(along)) if along.source == letter.source);
+    own && !subjects.iter().all(|subject| carrying.contains(subject))
+}
+
+/// The bodies in which frames are said to be fixed, and these frames.
+fn bodies_with_frames(declarations: &[Declaration]) -> Vec<Term> {
+    let told = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "frame" => Some(subjects),
+        _ => None,
+    });
+    let frames: Vec<&Term> = told.flatten().collect();
+    let inside = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let frame = subjects.iter().any(|subject| frames.contains(&subject));
+            frame.then(|| what.all(Slot::FixedIn))
+        }
+        _ => None,
+    });
+    let bodies: Vec<Term> = inside.flatten().cloned().collect();
+    frames.into_iter().cloned().chain(bodies).collect()
+}
+
+fn has_letter(node: &Node, letter: &Formula) -> bool {
+    let inner = || node.children().any(|child| has_letter(child, letter));
+    Formula::of(node).source == letter.source || inner()
+}
+
+/// "about the axis through O along `$u$`" as "about `$u$`", and that O is a point of both.
+fn about_letter(statement: &mut Statement, letters: &[Formula]) -> Option<Statement> {
+    let Statement::Does {
+        subjects,
+        verb: "turn",
+        slots,
+    } = statement
+    else {
+        return None;
+    };
+    let [body] = subjects.as_slice() else {
+        return None;
+    };
+    let at = slots.iter().position(|(slot, _)| *slot == Slot::About)?;
+    let Term::Phrase(axis) = &slots[at].1 else {
+        return None;
+    };
+    let (Some(through), Some(Term::Formula(along)), [_, _]) = (
+        axis.slot(Slot::Through).cloned(),
+        axis.slot(Slot::Along).cloned(),
+        axis.slots.as_slice(),
+    ) else {
+        return None;
+    };
+    if !letters.iter().any(|letter| letter.source == along.source) {
+        return None;
+    }
+    let against = slot(slots, Slot::RelativeTo).cloned();
+    let both = std::iter::once(body.clone()).chain(against);
+    let fixed = both.map(|thing| (Slot::FixedIn, thing)).collect();
+    slots[at].1 = Term::Formula(along);
+    Some(Statement::one_is(through, NounPhrase::new("point", fixed)))
+}
+
+/// Gives each quantity that is told by such a letter one of its own.
+fn tell_by_letters(
+    declarations: &mut Vec<Declaration>,
+    told: &[Formula],
+    name: &str,
+    macros: &Macros,
+) {
     let mut besides = vec![];
     let mut letters = LETTERS.iter();
     for declaration in declarations.iter_mut() {
         let statement = &declaration.statement;
-        let Some(valued) = turned(statement, &told).or_else(|| product(statement, &told)) else {
+        let Some(valued) = turned(statement, told).or_else(|| product(statement, told)) else {
             continue;
         };
         let Some(mark) = letters.next() else { return };
-        let letter = format!("\\boldsymbol{{w}}_{{\\mathrm{{turn}}{mark}}}");
+        let letter = format!("\\boldsymbol{{w}}_{{\\mathrm{{{name}}}{mark}}}");
         let holds = formula(&format!("{letter}={}", valued.value), false, macros);
         let (Some(own), Some(holds)) = (formula(&letter, false, macros), holds) else {
             continue;

@@ -142,6 +142,10 @@ pub(crate) struct Atoms {
     pub(super) small: BTreeSet<Variable>,
     /// Coordinates of points of which no sentence tells where they lie.
     pub(super) unplaced: BTreeSet<Variable>,
+    /// Those of them that an equation ties to other variables.
+    pub(super) tied: BTreeSet<Variable>,
+    /// All of them, even where a letter tells the point.
+    pub(super) loose: BTreeSet<Variable>,
     /// Letters that are constant by custom alone, and whether something tells that they change after all.
     pub(super) by_custom: BTreeMap<Variable, bool>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.

@@ -1,13 +1,35 @@
 //! Coordinates of points of which no sentence tells where they lie.
 
-use crate::algebra::{Polynomial, Variable};
+use crate::algebra::{Fraction, Place, Polynomial, Variable};
 use crate::verify::model::atoms::Atoms;
 
 impl Atoms {
     /// Says that these are coordinates of a point of which no sentence tells where it lies.
     pub(crate) fn set_unplaced(&mut self, coordinates: impl IntoIterator<Item = Variable>) {
         self.changes.note_all();
-        self.unplaced.extend(coordinates);
+        for coordinate in coordinates {
+            self.unplaced.insert(coordinate);
+            self.loose.insert(coordinate);
+        }
+    }
+
+    /// An equation ties the coordinates that stand in it to its other variables; one of motion does not.
+    pub(crate) fn tie(&mut self, equation: &Fraction) {
+        let variables = equation.variables();
+        let driven = |v: &Variable| self.atom(*v).place == Place::Acceleration;
+        let tied = variables.iter().filter(|v| self.loose.contains(v));
+        let tied: Vec<Variable> = tied.copied().collect();
+        if tied.is_empty() || tied.len() == variables.len() || variables.iter().any(driven) {
+            return;
+        }
+        self.changes.note_all();
+        self.tied.extend(tied);
+    }
+
+    /// Whether a variable is a coordinate that is tied so, or one of a point that no sentence places, or a rate of one.
+    pub(crate) fn is_hidden(&self, variable: Variable) -> bool {
+        let mut all = std::iter::once(variable).chain(self.antiderivatives(variable));
+        all.any(|v| self.unplaced.contains(&v) || self.tied.contains(&v))
     }
 
     /// A letter tells where the point lies.

@@ -147,6 +147,7 @@ impl Builder<'_> {
             return self.say_beyond(declaration);
         }
         self.note_law(declaration);
+        self.system().atoms.tie(&equation);
         self.reading.premises.push(Premise {
             equation,
             source: Self::source_of(declaration),

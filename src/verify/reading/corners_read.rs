@@ -36,6 +36,13 @@ impl Builder<'_> {
         let [corner] = subjects else { return None };
         let corner = self.point(corner)?;
         let body = what.slot(Slot::Of).and_then(|of| self.body(of))?;
+        let frame = self.reading.system.bodies[body].frame;
+        let sides = frame.and_then(|frame| self.told_sides(SIDE, body, frame, declaration));
+        let sides = sides.map_or(0, |sides| sides.len());
+        // A corner is told by all the sides of a body.
+        if sides > 0 && sides != what.all(Slot::Along).count() {
+            return None;
+        }
         let mut way = Vector::zeros();
         for axis in what.all(Slot::Along) {
             let edge = self.edge_along(body, axis, declaration)?;

@@ -1,6 +1,7 @@
 //! Directions: along what a term points, and what sentences tell of the letter of a unit vector.
 
 use crate::algebra::Fraction;
+use crate::mechanics;
 use crate::notation::ast::Kind;
 use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{
@@ -70,6 +71,7 @@ impl Builder<'_> {
                 let along = phrase.slot(Slot::Along).or(phrase.slot(Slot::Which))?;
                 self.direction(&along.clone(), declaration, carried)
             }
+            Term::Phrase(phrase) if phrase.head == UNIT_VECTOR => self.direction_to_point(phrase),
             Term::Phrase(phrase) => self.direction_of_plane(phrase),
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) || !is_letter(formula) {
@@ -122,6 +124,41 @@ impl Builder<'_> {
         let way = self.system().position(*to, *from);
         let told = Value::vector(&way, Basis::Itself);
         self.reading.system.is_told(&told).then_some(way)
+    }
+
+    /// "the unit vector from Q to P", where the way is told.
+    fn direction_to_point(&mut self, unit: &NounPhrase) -> Option<Vector> {
+        let from = unit.slot(Slot::From).and_then(|term| self.point(term))?;
+        let to = unit.slot(Slot::To).and_then(|term| self.point(term))?;
+        let known = |(slot, _): &(Slot, Term)| matches!(slot, Slot::From | Slot::To);
+        let way = self.system().position(to, from);
+        let told = Value::vector(&way, Basis::Itself);
+        let told = self.reading.system.is_told(&told) && unit.slots.iter().all(known);
+        told.then(|| self.unit_of_any_length(way))?
+    }
+
+    /// A unit vector about which something turns points along what another sentence says, with its sense.
+    pub(super) fn hold_direction(
+        &mut self,
+        unit: &Quantity,
+        along: &Quantity,
+        declaration: &Declaration,
+    ) {
+        let vector = |builder: &mut Self, of: &Quantity| {
+            let value = builder.system().value_of(of).ok()?;
+            (value.basis[0] != Basis::Written).then(|| value.to_vector().ok())?
+        };
+        let (Some(n), Some(way)) = (vector(self, unit), vector(self, along)) else {
+            return self.say_unused(declaration);
+        };
+        let size = self.size_of(along);
+        let apart = match size {
+            Some(size) => n * size - way,
+            None => mechanics::cross(&n, &way),
+        };
+        if !self.vanishes(&apart) {
+            self.hold_zero(&apart, declaration);
+        }
     }
 
     /// A letter of a unit vector that only sentences tell, of one thing or of each of many, and what carries it.

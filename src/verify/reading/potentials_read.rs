@@ -131,6 +131,11 @@ impl<'a> Builder<'a> {
                 premise.all(Slot::With).any(|load| match load {
                     Term::Phrase(load) => works(load),
                     Term::Name(name) => name != MOTOR,
+                    // What a load is that the list has by its letter, another sentence tells.
+                    Term::Formula(letter) => {
+                        let kinds = self.kinds_of_load(letter);
+                        kinds.is_empty() || kinds.into_iter().any(works)
+                    }
                     _ => true,
                 })
             }
@@ -150,6 +155,16 @@ impl<'a> Builder<'a> {
             Statement::Unread { .. } => declaration.may_speak_of(&OF_LOADS),
             _ => false,
         }
+    }
+
+    /// What sentences say a load to be that is known by its letter.
+    fn kinds_of_load(&self, letter: &Formula) -> Vec<&NounPhrase> {
+        let own = |s: &Term| matches!(s, Term::Formula(own) if own.source == letter.source);
+        let told = self.declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if subjects.iter().any(own) => Some(what),
+            _ => None,
+        });
+        told.collect()
     }
 
     /// −m g · r, from the origin or from where it is said to be zero.

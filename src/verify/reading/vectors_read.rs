@@ -95,6 +95,11 @@ impl Builder<'_> {
                 || matches!(known, Some(Quantity::UnitVector { carried: k, .. }) if carried.is_none() || k == carried);
             let on = what.slot(Slot::On).and_then(|term| self.frame(term));
             if told {
+                if let (Some(unit @ Quantity::UnitVector { .. }), Some(along)) = (&known, &along)
+                    && what.head == UNIT_VECTOR
+                {
+                    self.hold_direction(unit, along, declaration);
+                }
                 self.put_on_axes(formula, known, on, declaration);
                 continue;
             }
@@ -139,7 +144,7 @@ impl Builder<'_> {
         }
     }
 
-    fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {
+    pub(super) fn size_of(&mut self, vector: &Quantity) -> Option<Fraction> {
         let size = Quantity::Magnitude(vector.clone().boxed());
         self.system().value_of(&size).ok()?.to_scalar().ok()
     }

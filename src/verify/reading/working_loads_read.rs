@@ -239,7 +239,8 @@ impl Builder<'_> {
             if let Some(pair) = pair {
                 return Some(vec![pair]);
             }
-            let motors = load.head == MOTOR_MOMENT && load.slots.is_empty();
+            let by_motors = load.head == MOMENT && is_of_motors(load);
+            let motors = by_motors || load.head == MOTOR_MOMENT && load.slots.is_empty();
             let told = motors.then(|| self.loads_of_motors(declaration)).flatten();
             return told.or_else(|| self.named_load(load, None));
         };
@@ -269,6 +270,17 @@ impl Builder<'_> {
         });
         let said: Vec<(&Vec<Term>, BodyId)> = said.collect();
         let mut loads = vec![];
+        // Between two bodies: "the motor acts on the one with the moment M and on the other with the opposite one".
+        let between = declarations.iter().filter_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == MOMENT => {
+                (d.text.contains(MOTOR) && self.is_between(what, None)).then_some(subjects)
+            }
+            _ => None,
+        });
+        let between: Vec<&Vec<Term>> = between.collect();
+        for letter in between.into_iter().flat_map(|letters| formulas(letters)) {
+            loads.extend(self.joined_by_letter(letter, declaration)?);
+        }
         for (letters, on) in said {
             for letter in formulas(letters) {
                 let own = self.loads_of_letter(letter, declaration)?.into_iter();
@@ -298,6 +310,16 @@ impl Builder<'_> {
             ..load
         })
     }
+}
+
+/// "the moments of the motors"
+fn is_of_motors(load: &NounPhrase) -> bool {
+    let motor = |agent: &Term| match agent {
+        Term::Name(name) => name.trim_end_matches('s') == MOTOR,
+        Term::Phrase(thing) => thing.head == MOTOR && thing.slots.is_empty(),
+        _ => false,
+    };
+    matches!(load.slots.as_slice(), [(Slot::Of, agent)] if motor(agent))
 }
 
 /// "the force of the joint at H"

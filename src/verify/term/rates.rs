@@ -240,6 +240,12 @@ impl Lowering<'_> {
                 {
                     return beyond(DRIVEN);
                 }
+                // Where a point lies that no sentence places, relations may tell by the variable.
+                let atoms = &self.system.atoms;
+                let hidden = |v: Variable| atoms.is_hidden(v);
+                if !hidden(variable) && entry.variables().into_iter().any(hidden) {
+                    return beyond(NOT_FREE);
+                }
                 entries.push(self.system.partial(entry, variable));
             }
         }
