@@ -141,6 +141,7 @@ mod same;
 mod same_lines;
 mod senses;
 mod sentence_parts;
+mod sentence_words;
 mod set_off;
 mod sides;
 mod sign;

@@ -10,10 +10,7 @@ const CORNER: &str = "corner";
 /// "D is the corner of the plate opposite O", "S is a corner of the plate", of which another sentence tells the place: each is
 /// a point of the body, and the way to the opposite one goes along all sides.
 pub(super) fn place_corners(declarations: &mut Vec<Declaration>, macros: &Macros) {
-    let laid: Vec<Corner> = declarations
-        .iter()
-        .filter_map(|d| corner_along(d))
-        .collect();
+    let laid: Vec<Corner> = declarations.iter().filter_map(corner_along).collect();
     let mut told = vec![];
     for at in 0..declarations.len() {
         let Some((corner, of, from)) = bare_corner(&declarations[at].statement) else {

@@ -4,6 +4,7 @@
 use super::lexicon::{Class, Lexicon};
 use super::reader::ARTICLES;
 use super::rewrite::put_in;
+use super::sentence_words::Words;
 use super::told_acting::{Acting, Load};
 use super::traits::Trait;
 use super::words::{Kind, Token};
@@ -42,22 +43,18 @@ const UPON: [&str; 5] = ["on", "upon", "against", "to", "onto"];
 
 /// The clauses of a sentence that says with what loads things act on others.
 pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
-    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let words = Words::of(tokens);
     let acts = |word: &&str| ACTS.contains(word) || ACTED_ON.contains(word);
-    if !words.iter().any(acts) {
+    if !words.lower.iter().any(acts) {
         return None;
     }
-    let reader = Reader {
-        tokens,
-        words,
-        lexicon,
-    };
+    let reader = Reader { words, lexicon };
     let mut acting = Acting::default();
     let mut at = 0;
-    if reader.word(at) == "at" {
+    if reader.words.word(at) == "at" {
         let (place, behind) = reader.name(at + 1, true)?;
         acting.at = place;
-        at = behind + usize::from(reader.is(behind, Kind::Comma));
+        at = behind + usize::from(reader.words.is(behind, Kind::Comma));
     }
     let mut clauses = vec![];
     loop {
@@ -72,74 +69,55 @@ pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
         if behind == tokens.len() {
             return Some(clauses);
         }
-        at = reader.joint(behind)?;
+        at = reader.words.joint(behind)?;
         let next = Acting {
             body: acting.body,
             ..Acting::default()
         };
         let before = std::mem::replace(&mut acting, next);
-        if UPON.contains(&reader.word(at)) {
+        if UPON.contains(&reader.words.word(at)) {
             at = reader.on_another(at, before, &mut acting)?;
             clauses.extend(acting.clauses(&tokens[0]));
             if at == tokens.len() {
                 return Some(clauses);
             }
-            at = reader.joint(at)?;
+            at = reader.words.joint(at)?;
         }
     }
 }
 
 /// The words of a sentence.
 struct Reader<'t> {
-    tokens: &'t [Token],
-    words: Vec<&'t str>,
+    words: Words<'t>,
     lexicon: &'t Lexicon,
 }
 
 impl<'t> Reader<'t> {
-    fn word(&self, at: usize) -> &'t str {
-        match self.tokens.get(at) {
-            Some(token) if token.kind == Kind::Word => self.words[at],
-            _ => "",
-        }
-    }
-
-    fn is(&self, at: usize, kind: Kind) -> bool {
-        self.tokens.get(at).is_some_and(|token| token.kind == kind)
-    }
-
-    /// Where the clause behind a joint begins.
-    fn joint(&self, at: usize) -> Option<usize> {
-        let comma = usize::from(self.is(at, Kind::Comma));
-        let and = usize::from(self.word(at + comma) == "and");
-        (comma + and > 0).then_some(at + comma + and)
-    }
-
     /// What is named from a place on, up to the next preposition or sign, and to the next article where it is `short`.
     fn name(&self, at: usize, short: bool) -> Option<(&'t [Token], usize)> {
         let ends = |i: &usize| {
-            let sign = self.is(*i, Kind::Comma) || self.is(*i, Kind::Semicolon);
-            let word = ENDS.contains(&self.word(*i)) || ACTS.contains(&self.word(*i));
-            sign || word || short && *i > at && ARTICLES.contains(&self.word(*i))
+            let sign = self.words.is(*i, Kind::Comma) || self.words.is(*i, Kind::Semicolon);
+            let word = ENDS.contains(&self.words.word(*i)) || ACTS.contains(&self.words.word(*i));
+            sign || word || short && *i > at && ARTICLES.contains(&self.words.word(*i))
         };
-        let end = (at..self.tokens.len())
+        let end = (at..self.words.tokens.len())
             .find(ends)
-            .unwrap_or(self.tokens.len());
-        (end > at).then(|| (&self.tokens[at..end], end))
+            .unwrap_or(self.words.tokens.len());
+        (end > at).then(|| (&self.words.tokens[at..end], end))
     }
 
     /// "the normal force `$N$` along y": the load, and where it ends.
     fn load(&self, at: usize) -> Option<(Load<'t>, usize)> {
-        let start = at + usize::from(ARTICLES.contains(&self.word(at)));
+        let start = at + usize::from(ARTICLES.contains(&self.words.word(at)));
         if let Some(load) = self.by_components(start) {
             return Some(load);
         }
-        let letter =
-            (start..self.tokens.len().min(start + 6)).find(|&i| self.is(i, Kind::Formula))?;
+        let letter = (start..self.words.tokens.len().min(start + 6))
+            .find(|&i| self.words.is(i, Kind::Formula))?;
         let noun = self.load_noun(start, letter)?;
         let mut load = Load {
-            noun: &self.tokens[noun..letter],
-            letter: self.tokens[letter..=letter].to_vec(),
+            noun: &self.words.tokens[noun..letter],
+            letter: self.words.tokens[letter..=letter].to_vec(),
             at: &[],
             along: vec![],
             components: false,
@@ -153,36 +131,41 @@ impl<'t> Reader<'t> {
 
     /// "force whose components along x and y are `$X$` and `$Y$`", where the clause ends behind it.
     fn by_components(&self, start: usize) -> Option<(Load<'t>, usize)> {
-        let whose = (start + 1..self.tokens.len()).find(|&i| self.word(i) == "whose")?;
+        let whose =
+            (start + 1..self.words.tokens.len()).find(|&i| self.words.word(i) == "whose")?;
         let noun = self.load_noun(start, whose)?;
-        let said = [1, 2].map(|i| self.word(whose + i)) == ["components", "along"];
-        let are = (whose..self.tokens.len()).find(|&i| self.word(i) == "are" && said)?;
-        let respectively = (are..self.tokens.len()).find(|&i| self.word(i) == "respectively");
-        let end = respectively.map_or(self.tokens.len(), |i| {
-            i - usize::from(self.is(i - 1, Kind::Comma))
+        let said = [1, 2].map(|i| self.words.word(whose + i)) == ["components", "along"];
+        let are =
+            (whose..self.words.tokens.len()).find(|&i| self.words.word(i) == "are" && said)?;
+        let respectively =
+            (are..self.words.tokens.len()).find(|&i| self.words.word(i) == "respectively");
+        let end = respectively.map_or(self.words.tokens.len(), |i| {
+            i - usize::from(self.words.is(i - 1, Kind::Comma))
         });
         let load = Load {
-            noun: &self.tokens[noun..whose],
-            letter: self.tokens[are + 1..end].to_vec(),
+            noun: &self.words.tokens[noun..whose],
+            letter: self.words.tokens[are + 1..end].to_vec(),
             at: &[],
-            along: self.tokens[whose + 2..are].to_vec(),
+            along: self.words.tokens[whose + 2..are].to_vec(),
             components: true,
         };
         let last = respectively.map_or(end, |i| i + 1);
-        (last == self.tokens.len() && end > are + 1).then_some((load, last))
+        (last == self.words.tokens.len() && end > are + 1).then_some((load, last))
     }
 
     /// Where the noun of a load begins that ends at a place: adjectives that the direction tells again stand before it.
     fn load_noun(&self, start: usize, end: usize) -> Option<usize> {
-        let idle = |i: usize| matches!(self.word(i), "horizontal" | "vertical");
+        let idle = |i: usize| matches!(self.words.word(i), "horizontal" | "vertical");
         let first = (start..end).find(|&i| !idle(i))?;
-        let found = self.lexicon.find(&self.words[first..end], &[Class::Noun])?;
+        let found = self
+            .lexicon
+            .find(&self.words.lower[first..end], &[Class::Noun])?;
         (found.entry.is_load() && first + found.length == end).then_some(first)
     }
 
     /// "at P", "along x", "in the direction of x": what stands behind the letter of a load.
     fn place_of(&self, at: usize, load: &mut Load<'t>) -> Option<usize> {
-        if self.word(at) == "at" && load.at.is_empty() {
+        if self.words.word(at) == "at" && load.at.is_empty() {
             let (place, behind) = self.name(at + 1, false)?;
             load.at = place;
             return Some(behind);
@@ -194,10 +177,12 @@ impl<'t> Reader<'t> {
 
     /// "along x", "in the direction of x", "about z".
     fn direction(&self, at: usize) -> Option<(Vec<Token>, usize)> {
-        let directed = usize::from(self.is(at, Kind::Comma) && self.word(at + 1) == "directed") * 2;
-        let at = at + directed + usize::from(self.word(at) == "directed");
-        let (skipped, word) = match self.word(at) {
-            "in" if [1, 2, 3].map(|i| self.word(at + i)) == ["the", "direction", "of"] => {
+        let directed =
+            usize::from(self.words.is(at, Kind::Comma) && self.words.word(at + 1) == "directed")
+                * 2;
+        let at = at + directed + usize::from(self.words.word(at) == "directed");
+        let (skipped, word) = match self.words.word(at) {
+            "in" if [1, 2, 3].map(|i| self.words.word(at + i)) == ["the", "direction", "of"] => {
                 (4, "along")
             }
             "along" => (1, "along"),
@@ -206,7 +191,7 @@ impl<'t> Reader<'t> {
             _ => return None,
         };
         let (direction, behind) = self.name(at + skipped, false)?;
-        let word = put_in(Kind::Word, word, &self.tokens[at]);
+        let word = put_in(Kind::Word, word, &self.words.tokens[at]);
         Some(([&[word], direction].concat(), behind))
     }
 
@@ -214,13 +199,13 @@ impl<'t> Reader<'t> {
     fn loads(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
         let (load, mut behind) = self.load(at)?;
         acting.loads.push(load);
-        while let Some(next) = self.joint(behind) {
-            let next = next + usize::from(self.word(next) == "with");
+        while let Some(next) = self.words.joint(behind) {
+            let next = next + usize::from(self.words.word(next) == "with");
             let Some((load, after)) = self.load(next) else {
                 break;
             };
             // "and the force F acts …" begins another clause
-            if matches!(self.word(after), "acts" | "is") {
+            if matches!(self.words.word(after), "acts" | "is") {
                 break;
             }
             acting.loads.push(load);
@@ -237,7 +222,7 @@ impl<'t> Reader<'t> {
         let (agent, end) = self.name(at, false)?;
         self.is_thing(agent).then_some(())?;
         let (place, verb) = self.place_of_agent(end).unwrap_or((&[], end));
-        if self.word(verb) == "with" {
+        if self.words.word(verb) == "with" {
             acting.agent = agent;
             return Some((self.loads(verb + 1, acting)?, true));
         }
@@ -247,10 +232,10 @@ impl<'t> Reader<'t> {
             while let Some(behind) = self.part(at, acting) {
                 at = behind;
             }
-            (self.word(at) == "by").then_some(())?;
+            (self.words.word(at) == "by").then_some(())?;
             return Some((self.loads(at + 1, acting)?, false));
         }
-        ACTS.contains(&self.word(verb)).then_some(())?;
+        ACTS.contains(&self.words.word(verb)).then_some(())?;
         acting.agent = agent;
         // What the clause before spoke of is loaded where this one names nothing else.
         let before = std::mem::take(&mut acting.body);
@@ -270,7 +255,8 @@ impl<'t> Reader<'t> {
     /// "The motor at O acts on …": where what acts is, and where the verb stands.
     fn place_of_agent(&self, at: usize) -> Option<(&'t [Token], usize)> {
         let (place, verb) = self.name(at + 1, false)?;
-        (self.word(at) == "at" && ACTS.contains(&self.word(verb))).then_some((place, verb))
+        (self.words.word(at) == "at" && ACTS.contains(&self.words.word(verb)))
+            .then_some((place, verb))
     }
 
     /// Whether a load acts at a point.
@@ -284,8 +270,8 @@ impl<'t> Reader<'t> {
     fn on_another(&self, at: usize, before: Acting<'t>, acting: &mut Acting<'t>) -> Option<usize> {
         let (body, with) = self.name(at + 1, true)?;
         (acting.agent, acting.body) = (before.agent, body);
-        let opposite = [1, 2].map(|i| self.word(with + i)) == ["the", "opposite"];
-        (self.word(with) == "with").then_some(())?;
+        let opposite = [1, 2].map(|i| self.words.word(with + i)) == ["the", "opposite"];
+        (self.words.word(with) == "with").then_some(())?;
         if !opposite {
             return self.loads(with + 1, acting);
         }
@@ -302,7 +288,7 @@ impl<'t> Reader<'t> {
     fn of_loads(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
         let verb = self.loads(at, acting)?;
         let several = acting.loads.len() > 1;
-        (several && matches!(self.word(verb), "act" | "acts")).then_some(())?;
+        (several && matches!(self.words.word(verb), "act" | "acts")).then_some(())?;
         let mut at = verb + 1;
         while let Some(behind) = self.part(at, acting) {
             at = behind;
@@ -333,7 +319,7 @@ impl<'t> Reader<'t> {
 
     /// The next part behind the verb: on what, at what point, along what, with what.
     fn part(&self, at: usize, acting: &mut Acting<'t>) -> Option<usize> {
-        let word = self.word(at);
+        let word = self.words.word(at);
         if UPON.contains(&word) && acting.body.is_empty() {
             let (body, behind) = self.name(at + 1, true)?;
             acting.body = body;

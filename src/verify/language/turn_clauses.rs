@@ -5,6 +5,7 @@ use super::lexicon::Lexicon;
 use super::reader::{ARTICLES, COPULAS};
 use super::rewrite::put_in;
 use super::sentence_parts::clause;
+use super::sentence_words::Words;
 use super::words::{Kind, Token};
 
 /// Verbs of what turns.
@@ -70,9 +71,19 @@ struct Turn<'t> {
     obtained: bool,
 }
 
+/// The words of a sentence that speaks of a turn.
+fn speaks_of_turns(tokens: &[Token]) -> Option<Words<'_>> {
+    let words = Words::of(tokens);
+    let turn = |word: &&str| {
+        let verb = TURNS.contains(word) || TURNED.contains(word);
+        verb || matches!(*word, "rotation" | "turn" | "spin" | "rotating" | "turning")
+    };
+    words.lower.iter().any(turn).then_some(words)
+}
+
 /// A sentence that names an angle or a rate of a turn, or tells what a rotation brings where.
 pub(super) fn turns_named(tokens: &[Token]) -> Option<Vec<Token>> {
-    let reader = Reader::of(tokens)?;
+    let reader = speaks_of_turns(tokens)?;
     let turn = reader
         .letter_first()
         .or_else(|| reader.letter_last())
@@ -82,7 +93,7 @@ pub(super) fn turns_named(tokens: &[Token]) -> Option<Vec<Token>> {
 
 /// The clauses of a sentence that begins with one of how a thing turns.
 pub(super) fn turns_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
-    let reader = Reader::of(tokens)?;
+    let reader = speaks_of_turns(tokens)?;
     let mut told = vec![];
     let mut at = 0;
     while let Some((turn, behind)) = reader.clause(at).filter(|(turn, _)| turn.is_whole()) {
@@ -104,33 +115,7 @@ pub(super) fn turns_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
     (at > 0 && says).then(|| [&told, rest].concat())
 }
 
-/// The words of a sentence.
-struct Reader<'t> {
-    tokens: &'t [Token],
-    words: Vec<&'t str>,
-}
-
-impl<'t> Reader<'t> {
-    fn of(tokens: &'t [Token]) -> Option<Self> {
-        let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
-        let turn = |word: &&str| {
-            let verb = TURNS.contains(word) || TURNED.contains(word);
-            verb || matches!(*word, "rotation" | "turn" | "spin" | "rotating" | "turning")
-        };
-        words.iter().any(turn).then_some(Self { tokens, words })
-    }
-
-    fn word(&self, at: usize) -> &'t str {
-        match self.tokens.get(at) {
-            Some(token) if token.kind == Kind::Word => self.words[at],
-            _ => "",
-        }
-    }
-
-    fn is(&self, at: usize, kind: Kind) -> bool {
-        self.tokens.get(at).is_some_and(|token| token.kind == kind)
-    }
-
+impl<'t> Words<'t> {
     /// Where it goes on behind some words that stand here.
     fn behind(&self, at: usize, words: &[&str]) -> Option<usize> {
         let here = (0..words.len()).all(|i| self.word(at + i) == words[i]);
@@ -139,12 +124,6 @@ impl<'t> Reader<'t> {
 
     fn behind_any(&self, at: usize, words: &[&str]) -> usize {
         at + usize::from(words.contains(&self.word(at)))
-    }
-
-    fn joint(&self, at: usize) -> Option<usize> {
-        let sign = self.is(at, Kind::Comma) || self.is(at, Kind::Semicolon);
-        let and = self.behind_any(at + usize::from(sign), &["and"]);
-        (and > at).then_some(and)
     }
 
     /// What is named from a place on, and where it ends.
@@ -188,7 +167,7 @@ impl<'t> Reader<'t> {
         if let Some(start) = against.or_else(|| self.behind(at, &[from])) {
             let (name, end) = self.name(start)?;
             let place = matches!(
-                self.words[end - 1],
+                self.lower[end - 1],
                 "sense" | "direction" | "plane" | "order"
             );
             return fill(&mut turn.from, name, end).filter(|_| !place);
