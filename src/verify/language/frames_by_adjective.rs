@@ -181,9 +181,10 @@ fn only_frame_of_bodies(declarations: &[Declaration]) -> Option<String> {
 /// The adjective by which alone a noun tells a frame.
 fn adjective_of(phrase: &NounPhrase, noun: &str) -> Option<&'static str> {
     match phrase.adjectives.as_slice() {
-        [adjective] if phrase.head == noun && phrase.slots.is_empty() => {
-            TELLING.into_iter().find(|telling| telling == adjective)
-        }
+        [adjective] if phrase.head == noun && phrase.slots.is_empty() => TELLING
+            .into_iter()
+            .chain(CALLING)
+            .find(|telling| telling == adjective),
         _ => None,
     }
 }

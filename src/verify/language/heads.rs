@@ -31,6 +31,8 @@ heads! {
     DENSITY = "density";
     ANGULAR_VELOCITY = "angular velocity";
     POSITION = "position";
+    /// A joint about whose point a body turns in any way.
+    BALL_JOINT = "ball joint";
     /// The adverb of what moves smoothly.
     WITHOUT_FRICTION = "without friction";
     /// A vector of length one.

@@ -6,6 +6,7 @@
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
 use crate::verify::model::blows::Side;
 use crate::verify::model::changes::Changes;
+use crate::verify::model::unplaced::Coordinates;
 use foldhash::HashMap;
 use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
@@ -142,17 +143,12 @@ pub(crate) struct Atoms {
     pub(super) small: BTreeSet<Variable>,
     /// Coordinates of points of which no sentence tells where they lie.
     pub(super) unplaced: BTreeSet<Variable>,
-    /// Those of them that an equation ties to other variables.
-    pub(super) tied: BTreeSet<Variable>,
-    /// All of them, even where a letter tells the point.
-    pub(super) loose: BTreeSet<Variable>,
+    pub(super) coordinates: Coordinates,
     /// Letters that are constant by custom alone, and whether something tells that they change after all.
     pub(super) by_custom: BTreeMap<Variable, bool>,
     /// How many dimensions space has here, if they are not three: one writing is another variable there.
     pub(crate) dimensions: Option<usize>,
     pub(super) changes: Changes,
-    /// Coordinates that are zero in a blow.
-    pub(super) none_at_blow: BTreeSet<Variable>,
 }
 
 /// A variable as a fraction.

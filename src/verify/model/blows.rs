@@ -32,7 +32,7 @@ impl Side {
 impl Atoms {
     /// "`$\\theta$` is zero just before the impact."
     pub(crate) fn set_none_at_blow(&mut self, coordinate: Variable) {
-        self.none_at_blow.insert(coordinate);
+        self.coordinates.none_at_blow.insert(coordinate);
     }
 }
 
@@ -55,7 +55,7 @@ impl System {
     }
 
     fn variable_at_blow(&mut self, variable: Variable, side: Side) -> Option<Fraction> {
-        if self.atoms.none_at_blow.contains(&variable) {
+        if self.atoms.coordinates.none_at_blow.contains(&variable) {
             return Some(Fraction::zero());
         }
         let atom = self.atoms.atom(variable).clone();

@@ -2,6 +2,18 @@
 
 use crate::algebra::{Fraction, Place, Polynomial, Variable};
 use crate::verify::model::atoms::Atoms;
+use std::collections::BTreeSet;
+
+/// Coordinates of which more is known than what they are of.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Coordinates {
+    /// Those of unplaced points that an equation ties to other variables.
+    pub(super) tied: BTreeSet<Variable>,
+    /// Those of all unplaced points, even where a letter tells the point.
+    pub(super) loose: BTreeSet<Variable>,
+    /// Those that are zero in a blow.
+    pub(super) none_at_blow: BTreeSet<Variable>,
+}
 
 impl Atoms {
     /// Says that these are coordinates of a point of which no sentence tells where it lies.
@@ -9,7 +21,7 @@ impl Atoms {
         self.changes.note_all();
         for coordinate in coordinates {
             self.unplaced.insert(coordinate);
-            self.loose.insert(coordinate);
+            self.coordinates.loose.insert(coordinate);
         }
     }
 
@@ -17,19 +29,21 @@ impl Atoms {
     pub(crate) fn tie(&mut self, equation: &Fraction) {
         let variables = equation.variables();
         let driven = |v: &Variable| self.atom(*v).place == Place::Acceleration;
-        let tied = variables.iter().filter(|v| self.loose.contains(v));
+        let tied = variables
+            .iter()
+            .filter(|v| self.coordinates.loose.contains(v));
         let tied: Vec<Variable> = tied.copied().collect();
         if tied.is_empty() || tied.len() == variables.len() || variables.iter().any(driven) {
             return;
         }
         self.changes.note_all();
-        self.tied.extend(tied);
+        self.coordinates.tied.extend(tied);
     }
 
     /// Whether a variable is a coordinate that is tied so, or one of a point that no sentence places, or a rate of one.
     pub(crate) fn is_hidden(&self, variable: Variable) -> bool {
         let mut all = std::iter::once(variable).chain(self.antiderivatives(variable));
-        all.any(|v| self.unplaced.contains(&v) || self.tied.contains(&v))
+        all.any(|v| self.unplaced.contains(&v) || self.coordinates.tied.contains(&v))
     }
 
     /// A letter tells where the point lies.

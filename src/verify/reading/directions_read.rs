@@ -76,8 +76,7 @@ impl Builder<'_> {
             Term::Formula(formula) => {
                 if self.is_told(formula, declaration) || !is_letter(formula) {
                     let along = self.formula_value(formula, declaration)?.to_vector().ok()?;
-                    let sum = is_sum(formula);
-                    return match sum {
+                    return match is_sum(formula) {
                         true => self.unit_of_any_length(along),
                         false => self.unit_along(along),
                     };

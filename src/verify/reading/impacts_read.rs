@@ -5,7 +5,7 @@
 
 use crate::algebra::Fraction;
 use crate::notation::ast::Kind;
-use crate::verify::language::heads::WEIGHT;
+use crate::verify::language::heads::{BALL_JOINT, WEIGHT};
 use crate::verify::language::statement::{
     Declaration, Formula, NounPhrase, Slot, Statement, Term, slot,
 };
@@ -30,7 +30,7 @@ pub(crate) struct Strike {
 const IMPULSE: &str = "impulse";
 
 /// What holds a body where it is hinged, beside the point itself.
-const HINGES: [&str; 2] = ["joint", "ball joint"];
+const HINGES: [&str; 2] = ["joint", BALL_JOINT];
 
 impl Builder<'_> {
     /// "`$\\theta$` is zero just before the impact", of a letter of where something is: then it is so all through the impact.

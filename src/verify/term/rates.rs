@@ -210,6 +210,12 @@ impl Lowering<'_> {
         self.system.atoms.atom(variable).place == Place::Acceleration
     }
 
+    /// Whether an expression has a coordinate of a point that no sentence places: relations may tell it by the variable.
+    fn has_hidden_beside(&self, entry: &Fraction, variable: Variable) -> bool {
+        let hidden = |v: Variable| self.system.atoms.is_hidden(v);
+        !hidden(variable) && entry.variables().into_iter().any(hidden)
+    }
+
     /// ∂f/∂x, with everything that laws tell put in and all other free variables, or arguments, held fixed.
     fn partial(&mut self, value: &Value, x: &Node, by: &Value) -> Valued {
         let kept = self.arguments_with(x, by)?;
@@ -240,10 +246,7 @@ impl Lowering<'_> {
                 {
                     return beyond(DRIVEN);
                 }
-                // Where a point lies that no sentence places, relations may tell by the variable.
-                let atoms = &self.system.atoms;
-                let hidden = |v: Variable| atoms.is_hidden(v);
-                if !hidden(variable) && entry.variables().into_iter().any(hidden) {
+                if self.has_hidden_beside(entry, variable) {
                     return beyond(NOT_FREE);
                 }
                 entries.push(self.system.partial(entry, variable));

@@ -73,7 +73,7 @@ $$ \dot E=0 $$
 $$ S=mg\cos\eta+mb(\dot\eta^2+\dot\psi^2\sin^2\eta) $$
 $$ S=mg\cos\eta-mb(\dot\eta^2+\dot\psi^2\sin^2\eta) $$
 ";
-    assert_eq!(judged(sentences, text), "prppprppr");
+    assert_eq!(judged(sentences, text), "pupppuppu");
 }
 
 const PLATE: &str = r"
@@ -137,18 +137,18 @@ $$ w=\frac{s}{\sqrt{a^2+b^2}}(ax+by) $$
 $$ w=\frac{s}{\sqrt{a^2+b^2}}(ax-by) $$
 $$ w=-\frac{s}{\sqrt{a^2+b^2}}(ax+by) $$
 ";
-    assert_eq!(judged(sentences, text), "prr");
+    assert_eq!(judged(sentences, text), "pur");
 }
 
 #[test]
 fn a_word_for_a_point_is_its_letter_wherever_it_stands() {
     let told = [
-        "H, the hip, is fixed in N and in the leg.",
-        "The hip H is fixed in N and in the leg.",
-        "H (the hip) is fixed in N and in the leg.",
-        "H, called the hip, is fixed in N and in the leg.",
+        "H, the hip, is a point fixed in N and in the leg.",
+        "The hip H is a point fixed in N and in the leg.",
+        "H (the hip) is a point fixed in N and in the leg.",
+        "H, called the hip, is a point fixed in N and in the leg.",
         "H is the hip, a point fixed in N and in the leg.",
-        "H, the frobnik, is fixed in N and in the leg.",
+        "H, the frobnik, is a point fixed in N and in the leg.",
     ];
     for said in told {
         let word = if said.contains("hip") {

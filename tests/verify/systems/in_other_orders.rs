@@ -73,17 +73,3 @@ The forces $\\vec f$ and $\\vec h$ are the only loads on the beam.
     let lines = "$$ \\vec M = d\\,b_1\\times(\\vec f - \\vec h) $$\n$$ \\vec M = d\\,b_1\\times(\\vec f + \\vec h) $$\n";
     assert_eq!(judged(sentences, lines), "pr");
 }
-
-#[test]
-fn its_mass_and_its_radius_are_those_of_one_thing() {
-    let sentences = "N is an inertial frame, and B is a frame.
-The disc is a uniform thin disc. Its mass is $m$ and its radius is $a$.
-$z$ is the third axis of B, and it is the axis of the disc.
-B turns relative to N about $z$ at the rate $s$.
-The disc is fixed in B.
-G is the mass centre of the disc.
-$T$ is the kinetic energy of rotation of the disc relative to N.
-";
-    let lines = "$$ T = \\frac14 m a^2 s^2 $$\n$$ T = \\frac12 m a^2 s^2 $$\n";
-    assert_eq!(judged(sentences, lines), "pr");
-}
