@@ -115,18 +115,29 @@ impl Builder<'_> {
             {
                 continue;
             }
-            let text = formula.source.clone();
-            let quantity = match (what.head, &along) {
-                ("vector", _) => Quantity::Vector { text, carried },
-                (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
-                (_, Some(along)) => match self.size_of(along) {
-                    Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
-                    None => Quantity::UnitVector { text, carried },
-                },
-                _ => Quantity::UnitVector { text, carried },
-            };
+            let quantity = self.new_vector(formula, what.head, along.as_ref(), carried);
             let quantity = on_axes(quantity, on);
             self.denote(formula, Meaning::Quantity(quantity), declaration);
+        }
+    }
+
+    /// A vector that a sentence brings up: along what it is told to be, else one of its own.
+    fn new_vector(
+        &mut self,
+        letter: &Formula,
+        head: &str,
+        along: Option<&Quantity>,
+        carried: Option<FrameId>,
+    ) -> Quantity {
+        let text = letter.source.clone();
+        match (head, along) {
+            ("vector", _) => Quantity::Vector { text, carried },
+            (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
+            (_, Some(along)) => match self.size_of(along) {
+                Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
+                None => Quantity::UnitVector { text, carried },
+            },
+            _ => Quantity::UnitVector { text, carried },
         }
     }
 

@@ -146,7 +146,6 @@ fn a_word_for_a_point_is_its_letter_wherever_it_stands() {
         "H, the hip, is a point fixed in N and in the leg.",
         "The hip H is a point fixed in N and in the leg.",
         "H (the hip) is a point fixed in N and in the leg.",
-        "H, called the hip, is a point fixed in N and in the leg.",
         "H is the hip, a point fixed in N and in the leg.",
         "H, the frobnik, is a point fixed in N and in the leg.",
     ];
