@@ -7,6 +7,7 @@ use crate::verify::facts::premises::Facts;
 use crate::verify::language::statement::{
     Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term,
 };
+use crate::verify::model::atoms::whole;
 use crate::verify::model::system::{FrameId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::definitions_read::{defined_as, is_written_as};
@@ -43,6 +44,26 @@ impl Builder<'_> {
             Some(on) => Quantity::On(vector.boxed(), self.frame(on)?),
             None => vector,
         })
+    }
+
+    /// A vector that a sentence brings up: along what it is told to be, else one of its own.
+    pub(super) fn new_vector(
+        &mut self,
+        letter: &Formula,
+        head: &str,
+        along: Option<&Quantity>,
+        carried: Option<FrameId>,
+    ) -> Quantity {
+        let text = letter.source.clone();
+        match (head, along) {
+            ("vector", _) => Quantity::Vector { text, carried },
+            (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
+            (_, Some(along)) => match self.size_of(along) {
+                Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
+                None => Quantity::UnitVector { text, carried },
+            },
+            _ => Quantity::UnitVector { text, carried },
+        }
     }
 
     /// The unit vector that a term names; one that only this sentence tells of is carried by a frame.

@@ -121,26 +121,6 @@ impl Builder<'_> {
         }
     }
 
-    /// A vector that a sentence brings up: along what it is told to be, else one of its own.
-    fn new_vector(
-        &mut self,
-        letter: &Formula,
-        head: &str,
-        along: Option<&Quantity>,
-        carried: Option<FrameId>,
-    ) -> Quantity {
-        let text = letter.source.clone();
-        match (head, along) {
-            ("vector", _) => Quantity::Vector { text, carried },
-            (_, Some(axis @ Quantity::Axis(..))) => axis.clone(),
-            (_, Some(along)) => match self.size_of(along) {
-                Some(size) => Quantity::Scaled(along.clone().boxed(), whole(1) / size),
-                None => Quantity::UnitVector { text, carried },
-            },
-            _ => Quantity::UnitVector { text, carried },
-        }
-    }
-
     /// "`$u$` is a unit vector in components on N", of which another sentence has told what turns about it.
     fn put_on_axes(
         &mut self,
