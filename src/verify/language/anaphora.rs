@@ -143,7 +143,7 @@ fn its(tokens: &[Token], subject: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
     // "its mass is `$m$` and its radius is `$a$`" speaks of one thing
     let and = behind
         .windows(2)
-        .position(|pair| matches!(pair[0].lower.as_str(), "and") && pair[1].lower == first.lower);
+        .position(|pair| pair[0].lower == "and" && pair[1].lower == first.lower);
     let again = and.filter(|_| at == 0).and_then(|and| {
         let (before, next) = behind.split_at(and + 1);
         Some([before, &its(next, subject, lexicon)?].concat())
