@@ -93,6 +93,7 @@ pub(crate) mod reference_motion;
 pub(crate) mod references_read;
 pub(crate) mod relations_read;
 mod relative_motion_read;
+mod rest_of_whole;
 pub(crate) mod rest_read;
 pub(crate) mod rotations_read;
 pub(crate) mod shape_axes;

@@ -144,9 +144,9 @@ impl<'t> Reader<'t> {
         });
         let load = Load {
             noun: &self.words.tokens[noun..whose],
-            letter: self.words.tokens[are + 1..end].to_vec(),
+            letter: self.words.tokens.get(are + 1..end)?.to_vec(),
             at: &[],
-            along: self.words.tokens[whose + 2..are].to_vec(),
+            along: self.words.tokens.get(whose + 2..are)?.to_vec(),
             components: true,
         };
         let last = respectively.map_or(end, |i| i + 1);
@@ -159,7 +159,7 @@ impl<'t> Reader<'t> {
         let first = (start..end).find(|&i| !idle(i))?;
         let found = self
             .lexicon
-            .find(&self.words.lower[first..end], &[Class::Noun])?;
+            .find(self.words.lower.get(first..end)?, &[Class::Noun])?;
         (found.entry.is_load() && first + found.length == end).then_some(first)
     }
 

@@ -138,7 +138,7 @@ impl<'t> Words<'t> {
         };
         let end = (at..self.tokens.len()).find(ends);
         let end = end.unwrap_or(self.tokens.len());
-        let name = &self.tokens[at..end];
+        let name = self.tokens.get(at..end)?;
         let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain | Kind::Number);
         let one = name.len() == 1 || !name.iter().rev().skip(1).any(formula);
         let plain = !matches!(self.word(at), "which" | "that" | "it" | "its");

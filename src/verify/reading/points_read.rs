@@ -21,6 +21,7 @@ impl Builder<'_> {
         self.share_centres(&mut spoken);
         self.add_centres(&mut spoken);
         self.add_origins(&mut spoken);
+        self.leave_rest_of_wholes(&mut spoken);
         let ground = self.reading.system.ground;
         let each = |s: &Spoken| {
             let body = s.centre_of.map(|body| &self.reading.system.bodies[body]);
@@ -35,6 +36,7 @@ impl Builder<'_> {
         let outside = self.placed_from_outside(&spoken);
         let rank = |s: &Spoken| match s {
             s if each(s) => 5,
+            s if s.rest_of.is_some() => 6,
             s if s.fixed_in.contains(&ground) && s.fixed_in.len() > 1 => 0,
             s if s.fixed_in.contains(&ground) => 1,
             // From a joint the mass centres of both bodies are placed.
@@ -151,7 +153,9 @@ impl Builder<'_> {
             self.reading.system.points[origin].fixed_in = fixed_in;
             origin
         } else {
-            let told = spoken.centre_of.and_then(|body| self.centre_of_parts(body));
+            let of_parts = |body| self.centre_of_parts(body);
+            let told = spoken.centre_of.and_then(of_parts);
+            let told = self.centre_of_rest(spoken).or(told);
             let placed = told.unwrap_or_else(|| self.way_to(spoken, &fixed_in));
             self.system()
                 .add_point(&spoken.name, Some(placed), fixed_in)

@@ -19,10 +19,12 @@ pub(super) struct Spoken {
     pub(super) also_centre_of: Vec<usize>,
     /// Where it lies, by the sentence that says so.
     pub(super) lies: Option<usize>,
+    /// The whole whose mass centre, with those of the other parts, tells where it is.
+    pub(super) rest_of: Option<usize>,
 }
 
 impl Spoken {
-    fn is_centre_of(&self, body: usize) -> bool {
+    pub(super) fn is_centre_of(&self, body: usize) -> bool {
         self.centre_of == Some(body) || self.also_centre_of.contains(&body)
     }
 }

@@ -257,20 +257,13 @@ impl System {
         if let Some(b) = self.in_plane(b).filter(|b| alike(a, b)) {
             return Ok((a.clone(), b));
         }
-        // A lone 0 stands for whatever is zero, and a row for a column where only one of them is written out.
-        if a.is_scalar() && a.is_zero() {
-            let zero = Value {
-                entries: vec![Fraction::zero(); b.entries.len()],
-                ..b.clone()
-            };
-            return Ok((zero, b.clone()));
+        // A lone 0 stands for whatever is zero, a bold one for whatever array is, and a row for a column where only one of
+        // them is written out.
+        if stands_for_zero_of(a, b) {
+            return Ok((zero_like(b), b.clone()));
         }
-        if b.is_scalar() && b.is_zero() {
-            let zero = Value {
-                entries: vec![Fraction::zero(); a.entries.len()],
-                ..a.clone()
-            };
-            return Ok((a.clone(), zero));
+        if stands_for_zero_of(b, a) {
+            return Ok((a.clone(), zero_like(a)));
         }
         if a.is_row() && b.is_vector() && a.basis[1] == Basis::Written {
             return self.brought_together(&a.transposed(), b, custom);
@@ -288,6 +281,19 @@ impl System {
             true => beyond(unequal),
             false => ill_typed(unequal),
         }
+    }
+}
+
+/// Whether a value is a 0 that may be one of the shape of another.
+fn stands_for_zero_of(zero: &Value, other: &Value) -> bool {
+    let bold = zero.basis[0] == Basis::Any && !other.is_scalar();
+    zero.is_zero() && (zero.is_scalar() || bold)
+}
+
+fn zero_like(value: &Value) -> Value {
+    Value {
+        entries: vec![Fraction::zero(); value.entries.len()],
+        ..value.clone()
     }
 }
 
