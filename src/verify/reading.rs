@@ -55,6 +55,7 @@ mod loads_between;
 mod loads_outside;
 pub(crate) mod loads_read;
 pub(crate) mod lying_read;
+mod makeup_lost;
 mod makeup_read;
 pub(crate) mod massless_read;
 mod matrices_read;

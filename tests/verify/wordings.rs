@@ -43,3 +43,26 @@ fn plain_words_stay_as_they_are() {
         assert_eq!(read(plain), [*plain]);
     }
 }
+
+/// A sentence that breaks off, loses a word or goes on where it ends is read or refused; no place behind its end is looked at.
+#[test]
+fn mangled_wordings_end_in_a_reading_or_an_error() {
+    let mangled = |said: &str, at: usize| {
+        let words: Vec<&str> = said.trim_end_matches('.').split(' ').collect();
+        let at = at % words.len();
+        let without = [&words[..at], &words[at + 1..]].concat();
+        [
+            words[..=at].join(" "),
+            words[at..].join(" "),
+            without.join(" "),
+            format!("{}, respectively", words[..=at].join(" ")),
+            format!("{} which", words[..=at].join(" ")),
+            format!("{} with the force", words[..=at].join(" ")),
+        ]
+    };
+    for (number, (said, _)) in wordings().into_iter().enumerate() {
+        for sentence in mangled(said, number) {
+            assert!(!read(&format!("{sentence}.")).is_empty(), "{sentence}");
+        }
+    }
+}

@@ -6,14 +6,14 @@ use crate::verify::model::atoms::Atoms;
 use num_traits::Zero;
 
 /// The variable that an equation is best solved for: alone rather than with a factor, the highest rate, none that is small,
-/// the youngest.
+/// the youngest. What is a number, such as π, no equation tells.
 pub(super) fn best(
     atoms: &Atoms,
     value: &Polynomial,
     plainly: bool,
 ) -> Option<(Variable, Polynomial, Polynomial)> {
     let candidates = value.variables().into_iter().filter_map(|v| {
-        if value.degree_in(v) != 1 || is_kernel(atoms, v) {
+        if value.degree_in(v) != 1 || is_kernel(atoms, v) || atoms.known_pi() == Some(v) {
             return None;
         }
         let slope = value.coefficient_of(v, 1);

@@ -266,6 +266,21 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
 ];
 /// Words of sentences about loads.
 pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "loads", "exerts"];
+/// Words of sentences that tell what bodies are made up of.
+pub(crate) const OF_PARTS: [&str; 12] = [
+    "assembly",
+    "carries",
+    "composed",
+    "comprises",
+    "consist",
+    "consists",
+    "contains",
+    "includes",
+    "particle",
+    "particles",
+    "parts",
+    "system",
+];
 /// Words of sentences about where a potential energy is zero.
 pub(crate) const OF_POTENTIALS: [&str; 3] = ["potential", "energy", "gravity"];
 /// What is said of densities.

@@ -1,6 +1,7 @@
 //! What sentences say of lines: their roles, and where they hold.
 
 use super::clause::as_formula;
+use super::extent::LINES;
 use super::heads::INSTANT;
 use super::lexicon::Class;
 use super::reader::{Read, Reader};
@@ -41,7 +42,7 @@ impl Reader<'_> {
             }
             "cell" | "cells" if next == Some(Kind::Number) => {
                 self.at += 1;
-                Ok(Some(vec![Extent::Cells(self.cells()?)]))
+                self.cells_or_lines().map(Some)
             }
             "equation" | "equations" if next == Some(Kind::Open) => {
                 self.at += 1;
@@ -64,6 +65,29 @@ impl Reader<'_> {
             }
             _ => Ok(None),
         }
+    }
+
+    /// "cells 3 to 5", "cell 6, lines 7 and 8", behind the noun.
+    pub(super) fn cells_or_lines(&mut self) -> Read<Vec<Extent>> {
+        let cells = self.cells()?;
+        let start = self.at;
+        self.take_sign(Kind::Comma);
+        let own = match cells.as_slice() {
+            [own] if LINES.contains(&self.word()) => *own,
+            _ => {
+                self.at = start;
+                return Ok(vec![Extent::Cells(cells)]);
+            }
+        };
+        let of_cell = |lines: Extent| match lines {
+            Extent::Lines { first, last, .. } => Extent::Lines {
+                cell: Some(own),
+                first,
+                last,
+            },
+            other => other,
+        };
+        Ok(self.lines()?.into_iter().map(of_cell).collect())
     }
 
     fn roles(&mut self) -> Read<Vec<DeclaredRole>> {

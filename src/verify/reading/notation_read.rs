@@ -17,11 +17,13 @@ use crate::verify::reading::builder::Builder;
 use crate::verify::reading::customary_notation::{is_custom, plain_label};
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::names::{
-    CROSS_PRODUCT_MATRIX, are_products, index_letter, name_of, node_of, reach_of,
+    CROSS_PRODUCT_MATRIX, are_products, index_letter, is_letter, name_of, node_of, reach_of,
 };
 use crate::verify::reading::operators_read::{component_of_cross, is_quaternion_product};
 use crate::verify::term::labels::plain;
-use crate::verify::term::letters::{Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled};
+use crate::verify::term::letters::{
+    Arguments, Effect, IndexRule, LabelRule, Mark, MarkRule, Reach, spelled,
+};
 
 /// The signs of a dot between factors.
 const DOTS: [&str; 2] = ["\\cdot", "·"];
@@ -171,9 +173,13 @@ impl Builder<'_> {
                     letters.customs.summed.push(summed);
                 }
             }
-            (Sign::Operator(_), NotationMeaning::FunctionsOf(of)) => {
-                let of = of.iter().filter_map(node_of).cloned();
-                letters.arguments.push(of.collect());
+            (Sign::Operator(operator), NotationMeaning::FunctionsOf(of)) => {
+                letters.arguments.push(Arguments {
+                    of: node_of(operator)
+                        .filter(|_| is_letter(operator))
+                        .map(spelled),
+                    letters: of.iter().filter_map(node_of).cloned().collect(),
+                });
             }
             (Sign::Custom(UNDERBRACE), NotationMeaning::Fixed(NOTHING)) => {
                 letters.customs.naming_braces.push(reach.clone());

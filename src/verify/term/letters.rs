@@ -248,9 +248,17 @@ pub(crate) struct Letters {
     /// What the document writes.
     pub(crate) written: WrittenSymbols,
     /// The lists of letters that partial derivatives take functions of.
-    pub(crate) arguments: Vec<Vec<Node>>,
+    pub(crate) arguments: Vec<Arguments>,
     /// Writings that stand for other formulas.
     pub(crate) means: Vec<(String, Node, Reach)>,
+}
+
+/// What partial derivatives take functions of: those of one letter, or all.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Arguments {
+    /// The letter, spelled.
+    pub(crate) of: Option<String>,
+    pub(crate) letters: Vec<Node>,
 }
 
 impl Letters {

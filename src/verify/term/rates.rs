@@ -4,10 +4,11 @@ use crate::algebra::{Fraction, Place, Variable};
 use crate::notation::ast::{DerivativeStyle, FrameLabel, Kind, Node};
 use crate::verify::model::system::FrameId;
 use crate::verify::term::labels::plain;
-use crate::verify::term::letters::{Effect, Mark, spell, spelled};
+use crate::verify::term::letters::{Arguments, Effect, Mark, spell, spelled};
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{Basis, Trouble, Value, Valued, beyond};
+use std::collections::BTreeSet;
 
 /// Why a partial derivative is not worked out.
 const DRIVEN: &str = "a partial derivative of an acceleration or a load";
@@ -173,7 +174,7 @@ impl Lowering<'_> {
         if by.is_scalar() && !partial {
             return self.along_motion(&value, &by);
         }
-        self.partial(&value, variable, &by)
+        self.partial((operand, &value), variable, &by)
     }
 
     /// df/dx where both move: the quotient of the rates.
@@ -186,15 +187,11 @@ impl Lowering<'_> {
         self.system.quotient(&top, &bottom)
     }
 
-    /// What the author says that ∂/∂x takes functions of, where that is said; of those that name x no other is looked at.
-    fn arguments_with(&mut self, x: &Node, by: &Value) -> Result<Vec<Variable>, Trouble> {
-        let written = spelled(x);
-        let lists = self.letters.arguments.clone();
-        let names = |list: &&Vec<Node>| list.iter().any(|node| spelled(node) == written);
-        let (naming, others): (Vec<_>, Vec<_>) = lists.iter().partition(names);
-        for list in if naming.is_empty() { others } else { naming } {
+    /// What the author says that ∂f/∂x takes functions of, where that is said; of those that name x no other is looked at.
+    fn arguments_with(&mut self, f: &Node, x: &Node, by: &Value) -> Result<Vec<Variable>, Trouble> {
+        for list in self.arguments_told(f, x)? {
             let mut arguments = vec![];
-            for node in list {
+            for node in &list.letters {
                 arguments.extend(self.value(node)?.entries);
             }
             if by.entries.iter().all(|entry| arguments.contains(entry)) {
@@ -203,6 +200,34 @@ impl Lowering<'_> {
             }
         }
         Ok(vec![])
+    }
+
+    /// The lists of arguments that are told of f or of everything, those with x first of all. Of a formula that no sentence
+    /// names they are known where all lists with x are one.
+    fn arguments_told(&self, f: &Node, x: &Node) -> Result<Vec<Arguments>, Trouble> {
+        let (f, x) = (spelled(f), spelled(x));
+        let all = || self.letters.arguments.iter();
+        let own = |list: &&Arguments| list.of.as_ref() == Some(&f);
+        let names = |list: &&Arguments| list.letters.iter().any(|node| spelled(node) == x);
+        let told: Vec<&Arguments> = match all().find(own) {
+            Some(_) => all().filter(own).collect(),
+            None if all().any(|list| list.of.is_none()) => {
+                all().filter(|list| list.of.is_none()).collect()
+            }
+            None => {
+                let written = |list: &Arguments| -> BTreeSet<String> {
+                    list.letters.iter().map(spelled).collect()
+                };
+                let lists: BTreeSet<_> = all().filter(names).map(written).collect();
+                if lists.len() > 1 {
+                    return beyond(NOT_FREE);
+                }
+                all().collect()
+            }
+        };
+        let (naming, others): (Vec<_>, Vec<_>) = told.into_iter().partition(names);
+        let chosen = if naming.is_empty() { others } else { naming };
+        Ok(chosen.into_iter().cloned().collect())
     }
 
     /// Whether the equations of motion tell a variable by where and how fast things are: an acceleration, a load.
@@ -217,8 +242,8 @@ impl Lowering<'_> {
     }
 
     /// ∂f/∂x, with everything that laws tell put in and all other free variables, or arguments, held fixed.
-    fn partial(&mut self, value: &Value, x: &Node, by: &Value) -> Valued {
-        let kept = self.arguments_with(x, by)?;
+    fn partial(&mut self, (f, value): (&Node, &Value), x: &Node, by: &Value) -> Valued {
+        let kept = self.arguments_with(f, x, by)?;
         let mut expanded = vec![];
         for entry in &value.entries {
             // What a letter depends on of which nothing is told, nobody knows.

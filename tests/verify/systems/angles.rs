@@ -170,3 +170,36 @@ fn cosines_of_common_angles_are_exact() {
     let text: String = values.iter().map(line).collect();
     assert_eq!(judged("N is an inertial frame.\n", &text), "p".repeat(13));
 }
+
+/// An angle that is told as a part of π has its sine and cosine, and the laws hold there; π itself is told by nothing.
+#[test]
+fn angles_told_by_parts_of_pi() {
+    let sentences = r"
+R is an inertial frame.
+i, j, k are the axes of R.
+j is the upward vertical.
+K is a frame fixed in the bar.
+O is a point fixed in R and in K.
+K turns relative to R about k by the angle $q$.
+D is the mass centre of the bar.
+D is placed from O by $a(\sin q\,i-\cos q\,j)$.
+$m$ is the mass of the bar.
+$J$ is the moment of inertia of the bar about the axis through O along k.
+$g$ is the acceleration of gravity.
+$M$ is the moment of the motor on the bar along k.
+The weight, the moment of the motor and a force at O are the only loads on the bar.
+";
+    let text = r"
+$$ \sin q=1 $$
+$$ \cos q=0 $$
+$$ M=m g a $$
+$$ M=-m g a $$
+$$ \dot q=0 $$
+$$ \sin q=\tfrac12 $$
+$$ M=\tfrac12 m g a $$
+";
+    let judged_at = |value: &str| judged(&format!("{sentences}$q={value}$.\n"), text);
+    assert_eq!(judged_at(r"\pi/2"), "ppprprr");
+    assert_eq!(judged_at(r"\frac{\pi}{6}"), "rrrrppp");
+    assert_eq!(judged_at(r"-\frac12\pi"), "rprpprr");
+}

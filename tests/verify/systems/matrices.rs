@@ -247,3 +247,25 @@ $$ w = 1 $$
 ";
     assert_eq!(super::verdicts(sentences, text).0, "uurur");
 }
+
+/// A bold 0 is as large as what stands on the other side.
+#[test]
+fn a_bold_zero_has_any_shape() {
+    let sentences = r"
+R is an inertial frame.
+K is a frame fixed in the hull.
+D is the mass centre of the hull.
+$C$ takes components on R to components on K.
+$\mathbf w$ is the angular velocity of K relative to R in components on K.
+$\mathbf J$ is the inertia tensor of the hull about D.
+A dot is the rate seen from K.
+$\frac{d}{dt}$ is the rate entry by entry.
+";
+    let text = r"
+$$ \dot{\mathbf J}=\mathbf 0 $$
+$$ \frac{d}{dt}(C C^T)=\mathbf{0} $$
+$$ \frac{d}{dt}(C+C^T)=\mathbf{0} $$
+$$ \mathbf w\times\mathbf J\mathbf w=\mathbf 0 $$
+";
+    assert_eq!(judged(sentences, text), "pprr");
+}

@@ -137,3 +137,35 @@ $$ J_3\ddot\theta = 3n^2(J_2-J_1)\sin\theta\cos\theta $$
 ";
     assert_eq!(judged(sentences, text), "aprppr");
 }
+
+/// Where the last part of a whole lies is told by the mass centres of the whole and of the others: the tensor about a point
+/// that is fixed stays the same, also beside that about another point.
+#[test]
+fn the_last_part_lies_where_the_whole_says() {
+    let sentences = r"
+R is an inertial frame.
+K is a frame fixed in the hull.
+The probe consists of the hull and the flywheels.
+Q is the mass centre of the probe.
+Q is a point fixed in K.
+D is the mass centre of the hull.
+$w$ is the angular velocity of K relative to R.
+$J$ is the inertia tensor of the hull about D.
+$I$ is the inertia tensor of the hull about Q.
+$h$ is the angular momentum of the flywheels about Q relative to R with velocities relative to Q.
+$H$ is the angular momentum of the hull about Q relative to R with velocities relative to Q.
+$M$ is the total moment on the probe about Q.
+$u$ is the rate of $h$ seen from K.
+A vector or tensor without a label has components on K.
+A dot means the rate seen from K.
+";
+    let text = r"
+$$ H=I w $$
+$$ H=J w $$
+$$ \dot I=0 $$
+$$ M=u+I\dot w+w\times(H+h) $$
+$$ M=u+I\dot w-w\times(H+h) $$
+$$ M=u+J\dot w+w\times(H+h) $$
+";
+    assert_eq!(judged(sentences, text), "prpprr");
+}
