@@ -40,6 +40,7 @@ pub(crate) mod ellipsoids_read;
 mod floating_frames;
 pub(crate) mod formulas_read;
 pub(crate) mod frames_read;
+mod gears_read;
 pub(crate) mod impacts_read;
 pub(crate) mod incline_read;
 pub(crate) mod inertia_read;

@@ -47,6 +47,7 @@ use super::meeting_axes::fix_meeting_points;
 use super::member_wheels::turn_members;
 use super::motor_reactions::tell_reactions_of_motors;
 use super::mounted::mount_wheels;
+use super::moving_planes::carry_planes;
 use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
@@ -66,7 +67,9 @@ use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
 };
 use super::planar::turn_in_planes;
+use super::plane_turns::turn_across_planes;
 use super::pulleys::hang_on_pulleys;
+use super::pulleys_on_axes::hang_beside_axes;
 use super::remaining_loads::list_remaining_loads;
 use super::rigid_wholes::fix_particles;
 use super::rolling_inside::tell_distances_of_rollers;
@@ -80,6 +83,7 @@ use super::sizes_aside::give_sizes_aside;
 use super::slopes::lay_slopes;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
+use super::straight_ways::move_on_lines;
 use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_anew::part_points_told_anew;
@@ -91,6 +95,7 @@ use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::unknown_bodies::leave_unknown_bodies;
 use super::unwound::unwind_strings;
+use super::unwound_beside::unwind_beside_axes;
 use super::weights::tell_gravity;
 use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
@@ -184,6 +189,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
     name_axes_by_vectors(declarations);
     name_fixed_axes(declarations, macros);
     tell_upright_axes(declarations);
+    carry_planes(declarations);
     lay_floors(declarations);
     tell_contacts(declarations);
 }
@@ -264,8 +270,11 @@ fn turn_about_axes(declarations: &mut Vec<Declaration>) {
 
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
 fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    move_on_lines(declarations);
     lay_slopes(declarations);
+    unwind_beside_axes(declarations, macros);
     unwind_strings(declarations, macros);
+    hang_beside_axes(declarations, macros);
     hang_on_pulleys(declarations, macros);
     place_on_lines(declarations);
     place_on_rings(declarations);
@@ -274,4 +283,5 @@ fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_lines(declarations, macros);
     turn_in_planes(declarations, macros);
     turn_in_own_planes(declarations);
+    turn_across_planes(declarations);
 }
