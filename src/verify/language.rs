@@ -48,6 +48,7 @@ mod disturbed;
 pub(crate) mod either;
 mod element_places;
 mod ellipsis;
+mod ends_by_names;
 mod entries;
 mod every_axis;
 mod extent;

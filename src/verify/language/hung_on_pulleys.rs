@@ -110,6 +110,8 @@ pub(super) fn statements(
             phrase(MOMENT, vec![(Slot::Which, written(&moment)?)]),
         ),
     ];
+    let about = vec![(Slot::About, written(&told.about)?)];
+    all.push(is(&told.pulley, "symmetric", about));
     all.push(only(MOMENT, moments));
     Some(all)
 }

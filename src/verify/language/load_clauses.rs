@@ -284,7 +284,9 @@ impl<'t> Reader<'t> {
         while let Some(behind) = self.part(at, acting) {
             at = behind;
         }
-        if acting.body.is_empty() {
+        // "and the floor acts on it": nothing acts on itself.
+        let again = matches!(acting.body, [it] if matches!(it.lower.as_str(), "it" | "them"));
+        if acting.body.is_empty() || again && !before.is_empty() {
             acting.body = before;
         }
         if acting.at.is_empty() && acting.loads.iter().all(|load| self.is_force(load)) {

@@ -18,6 +18,7 @@ use super::counted::{lay_in_turn, number_counted, part_first};
 use super::directed_loads::direct_loads;
 use super::disturbed::tell_disturbed;
 use super::element_places::place_elements;
+use super::ends_by_names::end_by_names;
 use super::entries::{tell_entries, tell_parts};
 use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
@@ -249,6 +250,7 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     place_at_zero(declarations);
     tell_hinges(declarations);
     name_ends(declarations);
+    end_by_names(declarations);
     fix_ends(declarations);
     lay_by_angles(declarations, macros);
     lay_hung_rods(declarations, macros);
