@@ -2,6 +2,7 @@
 
 use super::heads::{CONTACT_POINT, FORCE, MASS_CENTRE};
 use super::kinds::name;
+use super::places::is_marked_vector;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 
 /// "C is the point of contact", "the wheel touches the floor at C", where the wheel rolls on the floor: C is its contact point.
@@ -86,7 +87,7 @@ pub(crate) fn place_contact_forces(declarations: &mut Vec<Declaration>) {
         .filter_map(|d| touching(&d.statement))
         .collect();
     name_contacts(declarations, &mut told);
-    for declaration in declarations {
+    for declaration in declarations.iter_mut() {
         match &mut declaration.statement {
             Statement::Is { what, .. } => act_at_contact(what, None, &told),
             Statement::Premise(premise) if premise.is("only") => {
@@ -101,6 +102,41 @@ pub(crate) fn place_contact_forces(declarations: &mut Vec<Declaration>) {
                 premise.slots.extend(letters);
             }
             _ => {}
+        }
+    }
+    take_components(declarations);
+}
+
+/// "`$N$` is the force of the floor on the wheel along y", where a list has the whole force of the floor: `$N$` is the component
+/// of that along y.
+fn take_components(declarations: &mut [Declaration]) {
+    let listed: Vec<Term> = declarations
+        .iter()
+        .filter_map(|d| match &d.statement {
+            Statement::Premise(premise) if premise.is("only") => Some(premise),
+            _ => None,
+        })
+        .flat_map(|premise| premise.all(Slot::With))
+        .filter_map(|load| match load {
+            Term::Phrase(force) if force.head == FORCE && force.slot(Slot::Which).is_none() => {
+                force.slot(Slot::At).cloned()
+            }
+            _ => None,
+        })
+        .collect();
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let number = |term: &Term| matches!(term, Term::Formula(l) if !is_marked_vector(l));
+        let whole = what.head == FORCE && what.slot(Slot::At).is_some_and(|at| listed.contains(at));
+        let along = what.slot(Slot::Along).cloned();
+        if let (true, Some(along)) = (whole && subjects.iter().all(number), along) {
+            let mut force = what.clone();
+            force.slots.retain(|(slot, _)| *slot != Slot::Along);
+            let of = Term::Phrase(Box::new(force));
+            let slots = vec![(Slot::Along, along), (Slot::Of, of)];
+            *what = NounPhrase::new("component", slots);
         }
     }
 }

@@ -33,6 +33,7 @@ use super::impacts::{hang_at_impact, place_what_strikes};
 use super::in_turn::{part_letters, part_respectively};
 use super::indexed_lists::part_indexed;
 use super::introduce::introduce;
+use super::kept_sizes::keep_sizes;
 use super::kinds::{
     fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
     show_frames, tell_axes, tell_mass_centres,
@@ -69,6 +70,7 @@ use super::plain_things::{
 };
 use super::planar::turn_in_planes;
 use super::plane_turns::turn_across_planes;
+use super::planets::place_planets;
 use super::pulleys::hang_on_pulleys;
 use super::pulleys_on_axes::hang_beside_axes;
 use super::remaining_loads::list_remaining_loads;
@@ -238,11 +240,13 @@ fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
     centre_shapes(declarations);
     tell_parts(declarations);
     tell_entries(declarations);
+    keep_sizes(declarations);
 }
 
 /// Where bodies end, and where they are joined.
 fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_about_ways(declarations, macros);
+    place_planets(declarations, macros);
     let downward = hang_at_impact(declarations, macros);
     tell_axes_that_point_down(declarations);
     name_level_axes(declarations);

@@ -52,6 +52,7 @@ fn across(body: &Term, all: &[Declaration]) -> Option<Direction> {
             of_plane(&d.statement, body, all)
                 .or_else(|| of_way(d, body, all))
                 .or_else(|| of_spin(&d.statement, body, all))
+                .or_else(|| of_mesh(&d.statement, body, all))
         })
         .filter(|across| is_inertial(&across.frame, all))
         .collect();
@@ -175,4 +176,34 @@ fn of_spin(statement: &Statement, body: &Term, all: &[Declaration]) -> Option<Di
     let upright = said_to_be(&[NORMAL], all).or_else(|| said_to_be(&[VERTICAL], all))?;
     let level = upright.frame == along.frame && upright.number != along.number;
     level.then_some(along)
+}
+
+/// What rolls on another body turns about the axis along which all turn of which sentences tell it.
+fn of_mesh(statement: &Statement, body: &Term, all: &[Declaration]) -> Option<Direction> {
+    let (subjects, slots) = statement.does("roll")?;
+    let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In))?;
+    let on = match on {
+        Term::Phrase(side) if side.head == "surface" => side.slot(Slot::Of)?,
+        on => on,
+    };
+    let flat = all.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => what.head == "plane" && subjects.contains(on),
+        _ => false,
+    });
+    if !subjects.contains(body) || flat || has_kind(body, Trait::Ball, all) {
+        return None;
+    }
+    let turns = all.iter().filter_map(|d| d.statement.does("turn"));
+    let axes: Option<Vec<Direction>> = turns
+        .map(|(_, slots)| match slot(slots, Slot::About)? {
+            Term::Phrase(axis) if axis.slot(Slot::Through).is_some() => {
+                direction(axis.slot(Slot::Along)?, all)
+            }
+            axis => direction(axis, all),
+        })
+        .collect();
+    let mut axes = axes?.into_iter();
+    let first = axes.next()?;
+    let same = |other: Direction| other.number == first.number && other.frame == first.frame;
+    axes.all(same).then_some(first)
 }
