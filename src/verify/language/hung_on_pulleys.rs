@@ -22,7 +22,7 @@ pub(super) fn from_the_start(statement: &mut Statement, told: &Pulley, macros: &
         return;
     };
     let up = formula(&told.up, false, macros).map(Term::Formula);
-    let down = formula(&format!("-({})", told.up), false, macros).map(Term::Formula);
+    let down = formula(&against(&told.up), false, macros).map(Term::Formula);
     let along = match along {
         Term::Phrase(vertical) if vertical.head == VERTICAL => match vertical.is("downward") {
             true => down,
@@ -128,16 +128,15 @@ fn hung_statements(
     let Pulley {
         radius, angle, up, ..
     } = told;
-    let sign = if hung.falls { "-" } else { "" };
+    let back = against(up);
+    let way = if hung.falls { &back } else { up };
     let start = format!(
-        "{radius}\\left({}\\right)-{depth}\\left({up}\\right)",
-        hung.side
+        "{}{}",
+        times(radius, &hung.side),
+        signed(&times(&depth, &back))
     );
-    let way = format!("{sign}{radius}{angle}\\left({up}\\right)");
-    let force = written(&format!(
-        "\\left({}\\right)\\left({up}\\right)",
-        hung.tension
-    ))?;
+    let way = times(&format!("{radius}{angle}"), way);
+    let force = written(&times(&hung.tension, up))?;
     let place = |subject: Term, from: Term, by: Term| Statement::Does {
         subjects: vec![subject],
         verb: "place",
@@ -155,4 +154,29 @@ fn hung_statements(
         is(&written(&depth)?, CONSTANT, vec![]),
         only("load", loads),
     ])
+}
+
+/// The direction against another one, as both are written.
+fn against(direction: &str) -> String {
+    match direction.strip_prefix('-') {
+        Some(other) => other.to_owned(),
+        None => format!("-{direction}"),
+    }
+}
+
+/// A number times a direction: its sign stands before both.
+fn times(number: &str, direction: &str) -> String {
+    match direction.strip_prefix('-') {
+        Some(other) => format!("-{number}\\,{other}"),
+        None => format!("{number}\\,{direction}"),
+    }
+}
+
+/// A term of a sum.
+fn signed(term: &str) -> String {
+    if term.starts_with('-') {
+        term.to_owned()
+    } else {
+        format!("+{term}")
+    }
 }

@@ -390,7 +390,7 @@ impl<'t> Reader<'t> {
         let (body, behind) = self.name(at, false).filter(|_| acting.body.is_empty())?;
         acting.body = body;
         // "drives gear 1"
-        let numbered = matches!(body, [_, number] if number.lower.parse::<u8>().is_ok());
+        let numbered = matches!(body, [_, number] if number.text.parse::<u8>().is_ok());
         let named = ARTICLES.contains(&word) || numbered;
         (named && self.is_thing(body)).then_some(behind)
     }
