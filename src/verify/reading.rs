@@ -26,6 +26,7 @@ pub(crate) mod components_read;
 pub(crate) mod compounds_read;
 pub(crate) mod connected;
 pub(crate) mod constants_read;
+mod contact_letters;
 pub(crate) mod contact_read;
 mod contradictory;
 pub(crate) mod coordinates_read;

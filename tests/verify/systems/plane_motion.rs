@@ -245,3 +245,29 @@ $$ v=-bw $$
     let found = verdicts(sentences, text).0;
     assert!(!found.contains('p'), "{found}");
 }
+
+/// The letter of the whole force at a contact and the one of its normal part are of one load.
+#[test]
+fn the_normal_force_is_a_part_of_a_force_with_a_letter() {
+    let sentences = "E is an inertial frame, and x, y, z are the axes of E.
+The slope is a plane fixed in E, and y is the upward normal of the slope.
+x points up the slope.
+The slope is inclined to the horizontal by the angle $c$.
+The roller is a uniform solid cylinder of mass $m$ and radius $r$.
+The roller is symmetric about z.
+C is the mass centre of the roller.
+P is the point where the roller touches the slope.
+The roller rolls on the slope at P without slipping.
+$u$ is the component of the velocity of C relative to E along x.
+$N$ is the normal force of the slope on the roller.
+$\\vec f$ is the force of the slope at P.
+$g$ is the acceleration of gravity.
+The weight and the force of the slope at P are the only loads on the roller.
+";
+    let text = r"
+$$ N=mg\cos c $$
+$$ N=mg\sin c $$
+$$ \dot u=-\frac23g\sin c $$
+";
+    assert_eq!(judged(sentences, text), "prp");
+}
