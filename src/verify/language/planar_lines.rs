@@ -24,7 +24,9 @@ pub(super) struct Way {
     turning: Term,
     /// Whether no sentence speaks of what turns.
     new: bool,
-    /// Whether what turns is a rod that is called by both points.
+    /// Whether what turns is called by both points.
+    named: bool,
+    /// Whether that is a rod.
     rod: bool,
 }
 
@@ -68,6 +70,11 @@ impl Line {
                 Statement::one_is(way.turning.clone(), frame)
             }),
         }
+    }
+
+    /// Whether what turns is a body that is long, or one that is called by both points.
+    pub(super) fn is_of_long_body(&self) -> bool {
+        self.is_of_body() || matches!(self, Self::Way(way) if way.named)
     }
 
     /// Whether it turns with a frame of its own while a sentence tells otherwise where its end is.
@@ -132,6 +139,7 @@ pub(super) fn line_between(way: &NounPhrase, declarations: &[Declaration]) -> Op
             to: to.clone(),
             turning,
             new: false,
+            named: true,
             rod,
         })));
     }
@@ -154,6 +162,7 @@ pub(super) fn line_between(way: &NounPhrase, declarations: &[Declaration]) -> Op
         to: to.clone(),
         turning: body.or_else(|| way_name(from, to))?,
         new,
+        named: false,
         rod: false,
     })))
 }

@@ -5,12 +5,15 @@ use super::heads::{ANGULAR_VELOCITY, DOWNHILL, NORMAL, UPHILL, VERTICAL};
 use super::kinds::name;
 use super::places::is_marked_vector;
 use super::planar_axes::axis;
-use super::statement::{Declaration, Extent, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
 use super::traits::{Trait, has};
 use super::turned_lines::{Direction, direction};
 
 /// What a body does that moves in a plane.
 const MOTIONS: [&str; 3] = ["roll", "move", "slide"];
+
+/// What turns about its own axis by its name.
+const GEARS: [&str; 4] = ["gear", "pinion", "sun", "planet"];
 
 /// Gives each body of which no sentence says how it turns the turn across the plane in which it moves: the plane is named, or
 /// it is that of the way along which the body rolls and the normal of what it rolls on, or the body has an angular velocity
@@ -27,13 +30,17 @@ pub(super) fn turn_across_planes(declarations: &mut Vec<Declaration>) {
         }
         for body in subjects {
             let known = seen.contains(body) || is_told_to_turn(body, declarations);
-            let Some(across) = across(body, declarations).filter(|_| !known) else {
+            let across = across(body, declarations).map(|across| {
+                let about = axis(across.number, Some(&across.frame));
+                (across.frame, about)
+            });
+            let across = across.or_else(|| of_mesh(body, declarations));
+            let Some((frame, about)) = across.filter(|_| !known) else {
                 continue;
             };
             seen.push(body.clone());
-            let about = axis(across.number, Some(&across.frame));
             let one = std::slice::from_ref(body);
-            let [turn, symmetric] = turning_about(one, across.frame, about);
+            let [turn, symmetric] = turning_about(one, frame, about);
             told.push(declaration.saying(turn));
             told.extend(is_round(body, declarations).then(|| declaration.saying(symmetric)));
         }
@@ -52,7 +59,6 @@ fn across(body: &Term, all: &[Declaration]) -> Option<Direction> {
             of_plane(&d.statement, body, all)
                 .or_else(|| of_way(d, body, all))
                 .or_else(|| of_spin(&d.statement, body, all))
-                .or_else(|| of_mesh(&d.statement, body, all))
         })
         .filter(|across| is_inertial(&across.frame, all))
         .collect();
@@ -178,32 +184,43 @@ fn of_spin(statement: &Statement, body: &Term, all: &[Declaration]) -> Option<Di
     level.then_some(along)
 }
 
-/// What rolls on another body turns about the axis along which all turn of which sentences tell it.
-fn of_mesh(statement: &Statement, body: &Term, all: &[Declaration]) -> Option<Direction> {
-    let (subjects, slots) = statement.does("roll")?;
-    let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In))?;
-    let on = match on {
-        Term::Phrase(side) if side.head == "surface" => side.slot(Slot::Of)?,
-        on => on,
+/// What rolls on another body turns relative to the frame and about the axis of which sentences say so of all that turn.
+fn of_mesh(body: &Term, all: &[Declaration]) -> Option<(Term, Term)> {
+    let rolls_on_body = |d: &Declaration| {
+        let rolling = d.statement.does("roll");
+        rolling.is_some_and(|(subjects, slots)| {
+            let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
+            subjects.contains(body) && on.is_some_and(|on| is_rim(on, all))
+        })
     };
-    let flat = all.iter().any(|d| match &d.statement {
-        Statement::Is { subjects, what } => what.head == "plane" && subjects.contains(on),
-        _ => false,
-    });
-    if !subjects.contains(body) || flat || has_kind(body, Trait::Ball, all) {
+    if !all.iter().any(rolls_on_body) || has_kind(body, Trait::Ball, all) {
         return None;
     }
     let turns = all.iter().filter_map(|d| d.statement.does("turn"));
-    let axes: Option<Vec<Direction>> = turns
-        .map(|(_, slots)| match slot(slots, Slot::About)? {
-            Term::Phrase(axis) if axis.slot(Slot::Through).is_some() => {
-                direction(axis.slot(Slot::Along)?, all)
-            }
-            axis => direction(axis, all),
+    let told: Option<Vec<(&Term, &Term)>> = turns
+        .map(|(_, slots)| {
+            let about = slot(slots, Slot::About)?;
+            let along = match about {
+                Term::Phrase(axis) if axis.slot(Slot::Through).is_some() => {
+                    axis.slot(Slot::Along)?
+                }
+                about => about,
+            };
+            Some((slot(slots, Slot::RelativeTo)?, along))
         })
         .collect();
-    let mut axes = axes?.into_iter();
-    let first = axes.next()?;
-    let same = |other: Direction| other.number == first.number && other.frame == first.frame;
-    axes.all(same).then_some(first)
+    let mut told = told?.into_iter();
+    let first = told.next()?;
+    let inertial = is_inertial(first.0, all) && told.all(|other| other == first);
+    inertial.then(|| (first.0.clone(), first.1.clone()))
+}
+
+/// Whether what something rolls on is round about the axis about which it turns: a wheel, or the inner or outer side of something.
+/// On the face of a turntable what rolls turns about another axis.
+fn is_rim(on: &Term, all: &[Declaration]) -> bool {
+    let wheel = |word: &str| has(word, Trait::Wheel) || GEARS.contains(&word);
+    let named = name(on).is_some_and(|name| name.split(' ').any(wheel));
+    let side = |side: &NounPhrase| side.is("internal") || side.is("external");
+    let surface = matches!(on, Term::Phrase(surface) if surface.head == "surface" && side(surface));
+    surface || named || has_kind(on, Trait::Wheel, all)
 }

@@ -94,7 +94,9 @@ fn turned(
                 && slot(slots, Slot::RelativeTo) == Some(&from.frame)
         })
     };
-    if line.is_of_body() && declarations.iter().any(turns) || line.is_told_otherwise(declarations) {
+    if line.is_of_long_body() && declarations.iter().any(turns)
+        || line.is_told_otherwise(declarations)
+    {
         return None;
     }
     let source = match (from.reversed, forwards) {
