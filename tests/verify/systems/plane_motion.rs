@@ -36,14 +36,15 @@ $$ N=mg $$
 #[test]
 fn a_roller_on_a_slope_with_named_axes() {
     let sentences = "E is an inertial frame.
-The incline is a plane fixed in E and makes the angle $a$ with the horizontal.
-x, y, z are the axes of E, where x points down the incline and y is the upward normal of the incline.
-The roller is a uniform solid cylinder of mass $m$ and radius $b$, and its axis is parallel to z.
+The incline is a plane fixed in E that makes the angle $a$ with the horizontal.
+$x$, $y$, $z$ are the axes of E, where $x$ points down the incline and $y$ is the upward normal of the incline.
+The roller is a uniform solid cylinder of mass $m$ and radius $b$.
+The axis of the roller is parallel to $z$.
 K is the mass centre of the roller, and Q is the point where it touches the incline.
 The roller rolls on the incline without slipping.
-$s$ is the distance that K has travelled along x.
+$s$ is the distance that K has travelled along $x$.
 The roller turns relative to E about $-z$ by the angle $q$.
-At Q the incline exerts on the roller the normal force $H$ away from the incline and the friction $J$ up the incline.
+At Q the incline acts on the roller with the normal force $H$ along $y$ and with the friction $J$ along $-x$.
 Apart from these two forces only the weight acts on the roller.
 $g$ is the acceleration of gravity.
 ";
@@ -152,8 +153,6 @@ $$ F=\frac23mg $$
 $$ \ddot h=-\frac23g $$
 ";
     assert_eq!(judged(sentences, text), "prprprp");
-    let other = sentences.replace("from G along x", "from G along -x");
-    assert_eq!(judged(&other, text), "rpprprp");
 }
 
 #[test]
