@@ -43,6 +43,7 @@ mod own_writing;
 mod parts;
 mod parts_by_plural;
 mod placed_by_angles;
+mod plane_motion;
 mod planes;
 mod planes_and_rates;
 mod quaternions;

@@ -25,7 +25,7 @@ pub(crate) fn direct_loads(declarations: &mut Vec<Declaration>, macros: &Macros)
         count_backwards(&mut declaration.statement, macros);
     }
     let sums = declarations.iter().flat_map(|d| {
-        let components = components(&d.statement, &units).into_iter();
+        let components = components(&d.statement, &units, macros).into_iter();
         components.map(|component| d.saying(component))
     });
     let sums: Vec<Declaration> = sums.collect();
@@ -175,33 +175,54 @@ fn direct(statement: &mut Statement, units: &[(Formula, Term)]) -> Option<Produc
     }
 }
 
-/// "`$X\,i+Y\,j$` is the force of M": `$X$` is the component along i of that force, and so on.
-fn components(statement: &Statement, units: &[(Formula, Term)]) -> Vec<Statement> {
+/// "`$X\,i-Y\,j$` is the force of M": `$X$` is the component along i of that force, `$Y$` the one along `$-j$`.
+fn components(statement: &Statement, units: &[(Formula, Term)], macros: &Macros) -> Vec<Statement> {
     let Statement::Is { subjects, what } = statement else {
         return vec![];
     };
     let [Term::Formula(sum)] = subjects.as_slice() else {
         return vec![];
     };
-    let Some(Kind::Sum(terms)) = sum.node().map(|node| &node.kind) else {
+    if !is_load(what.head) || what.slot(Slot::Along).is_some() {
         return vec![];
+    }
+    let terms: Vec<(bool, Formula)> = match sum.node().map(|node| &node.kind) {
+        Some(Kind::Sum(terms)) => {
+            let each = terms.iter();
+            each.map(|term| (term.negative, Formula::of(&term.node)))
+                .collect()
+        }
+        Some(Kind::Negate(inner)) => vec![(true, Formula::of(inner))],
+        _ => return vec![],
     };
-    let plus = !terms.iter().any(|term| term.negative);
-    let products: Option<Vec<Product>> = terms
-        .iter()
-        .map(|term| product(&Formula::of(&term.node), units))
-        .collect();
-    let load = is_load(what.head) && what.slot(Slot::Along).is_none();
-    let products = products.filter(|_| plus && load).unwrap_or_default();
-    let each = products.into_iter().map(|product| {
+    let component = |(negative, term): &(bool, Formula)| {
+        let product = product(term, units)?;
+        let along = match negative {
+            true => against(&product.along, macros)?,
+            false => product.along,
+        };
         let of = Term::Phrase(Box::new(what.clone()));
-        let slots = vec![(Slot::Along, product.along), (Slot::Of, of)];
-        Statement::one_is(
+        let slots = vec![(Slot::Along, along), (Slot::Of, of)];
+        Some(Statement::one_is(
             Term::Formula(product.letter),
             NounPhrase::new("component", slots),
-        )
-    });
-    each.collect()
+        ))
+    };
+    let all: Option<Vec<Statement>> = terms.iter().map(component).collect();
+    all.unwrap_or_default()
+}
+
+/// The direction against an axis.
+fn against(axis: &Term, macros: &Macros) -> Option<Term> {
+    let written = match axis {
+        Term::Name(name) => name.clone(),
+        Term::Formula(axis) if matches!(axis.node().map(|n| &n.kind), Some(Kind::Symbol(_))) => {
+            axis.source.clone()
+        }
+        _ => return None,
+    };
+    let opposite = formula(&format!("-{written}"), false, macros)?;
+    Some(Term::Formula(opposite))
 }
 
 /// "`$-F$` is the component along x of the force": `$F$` is that along `$-x$`.
@@ -223,15 +244,8 @@ fn count_backwards(statement: &mut Statement, macros: &Macros) {
     let Some((_, axis)) = along.next() else {
         return;
     };
-    let written = match &*axis {
-        Term::Name(name) => name.clone(),
-        Term::Formula(axis) if matches!(axis.node().map(|n| &n.kind), Some(Kind::Symbol(_))) => {
-            axis.source.clone()
-        }
-        _ => return,
-    };
-    if let Some(opposite) = formula(&format!("-{written}"), false, macros) {
-        *axis = Term::Formula(opposite);
+    if let Some(opposite) = against(axis, macros) {
+        *axis = opposite;
         *letter = inner;
     }
 }

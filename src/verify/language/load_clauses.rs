@@ -52,7 +52,7 @@ pub(super) fn loads_apart(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Tok
     let mut acting = Acting::default();
     let mut at = 0;
     if reader.words.word(at) == "at" {
-        let (place, behind) = reader.name(at + 1, true)?;
+        let (place, behind) = reader.place_before(at + 1)?;
         acting.at = place;
         at = behind + usize::from(reader.words.is(behind, Kind::Comma));
     }
@@ -104,6 +104,17 @@ impl<'t> Reader<'t> {
             .find(ends)
             .unwrap_or(self.words.tokens.len());
         (end > at).then(|| (&self.words.tokens[at..end], end))
+    }
+
+    /// A place at the beginning: of "P gear 1" a capital alone.
+    fn place_before(&self, at: usize) -> Option<(&'t [Token], usize)> {
+        let (place, behind) = self.name(at, true)?;
+        let first = place.first()?;
+        let point = first.text.chars().count() == 1 && first.text.chars().all(char::is_uppercase);
+        match point && place.len() > 1 {
+            true => Some((&place[..1], at + 1)),
+            false => Some((place, behind)),
+        }
     }
 
     /// "the normal force `$N$` along y": the load, and where it ends.
@@ -181,6 +192,9 @@ impl<'t> Reader<'t> {
             usize::from(self.words.is(at, Kind::Comma) && self.words.word(at + 1) == "directed")
                 * 2;
         let at = at + directed + usize::from(self.words.word(at) == "directed");
+        if let Some(told) = self.direction_of_plane(at) {
+            return Some(told);
+        }
         let (skipped, word) = match self.words.word(at) {
             "in" if [1, 2, 3].map(|i| self.words.word(at + i)) == ["the", "direction", "of"] => {
                 (4, "along")
@@ -193,6 +207,33 @@ impl<'t> Reader<'t> {
         let (direction, behind) = self.name(at + skipped, false)?;
         let word = put_in(Kind::Word, word, &self.words.tokens[at]);
         Some(([&[word], direction].concat(), behind))
+    }
+
+    /// "up the slope", "away from the floor", "upward" as "along the uphill direction of the slope", "along the normal of the
+    /// floor", "along the upward vertical".
+    fn direction_of_plane(&self, at: usize) -> Option<(Vec<Token>, usize)> {
+        let article = |i: usize| ARTICLES.contains(&self.words.word(i));
+        let (said, named): (&[&str], usize) = match self.words.word(at) {
+            "up" if article(at + 1) => (&["along", "the", "uphill", "direction", "of"], at + 1),
+            "down" if article(at + 1) => (&["along", "the", "downhill", "direction", "of"], at + 1),
+            "away" if self.words.word(at + 1) == "from" && article(at + 2) => {
+                (&["along", "the", "normal", "of"], at + 2)
+            }
+            "upward" | "upwards" => (&["along", "the", "upward", "vertical"], 0),
+            "downward" | "downwards" => (&["along", "the", "downward", "vertical"], 0),
+            _ => return None,
+        };
+        let place = &self.words.tokens[at];
+        let mut words: Vec<Token> = said
+            .iter()
+            .map(|word| put_in(Kind::Word, word, place))
+            .collect();
+        if named == 0 {
+            return Some((words, at + 1));
+        }
+        let (plane, behind) = self.name(named, false)?;
+        words.extend(plane.iter().cloned());
+        Some((words, behind))
     }
 
     /// "with the force `$F$` along x and the friction `$R$` along y": all loads of a list, and where it ends.
@@ -243,7 +284,9 @@ impl<'t> Reader<'t> {
         while let Some(behind) = self.part(at, acting) {
             at = behind;
         }
-        if acting.body.is_empty() {
+        // "and the floor acts on it": nothing acts on itself.
+        let again = matches!(acting.body, [it] if matches!(it.lower.as_str(), "it" | "them"));
+        if acting.body.is_empty() || again && !before.is_empty() {
             acting.body = before;
         }
         if acting.at.is_empty() && acting.loads.iter().all(|load| self.is_force(load)) {
@@ -304,6 +347,10 @@ impl<'t> Reader<'t> {
             noun.is_some_and(|noun| noun.entry.is_load())
         };
         let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
+        // What drives something on the other side of a gear is called its load.
+        if words == ["the", "load"] {
+            return true;
+        }
         !(0..words.len()).any(load) && !agent.iter().any(formula) && words.len() <= 6
     }
 
@@ -342,6 +389,9 @@ impl<'t> Reader<'t> {
         }
         let (body, behind) = self.name(at, false).filter(|_| acting.body.is_empty())?;
         acting.body = body;
-        (ARTICLES.contains(&word) && self.is_thing(body)).then_some(behind)
+        // "drives gear 1"
+        let numbered = matches!(body, [_, number] if number.text.parse::<u8>().is_ok());
+        let named = ARTICLES.contains(&word) || numbered;
+        (named && self.is_thing(body)).then_some(behind)
     }
 }

@@ -18,6 +18,7 @@ use super::counted::{lay_in_turn, number_counted, part_first};
 use super::directed_loads::direct_loads;
 use super::disturbed::tell_disturbed;
 use super::element_places::place_elements;
+use super::ends_by_names::end_by_names;
 use super::entries::{tell_entries, tell_parts};
 use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
@@ -32,6 +33,7 @@ use super::impacts::{hang_at_impact, place_what_strikes};
 use super::in_turn::{part_letters, part_respectively};
 use super::indexed_lists::part_indexed;
 use super::introduce::introduce;
+use super::kept_sizes::keep_sizes;
 use super::kinds::{
     fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
     show_frames, tell_axes, tell_mass_centres,
@@ -47,6 +49,7 @@ use super::meeting_axes::fix_meeting_points;
 use super::member_wheels::turn_members;
 use super::motor_reactions::tell_reactions_of_motors;
 use super::mounted::mount_wheels;
+use super::moving_planes::carry_planes;
 use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
@@ -66,7 +69,10 @@ use super::plain_things::{
     hang_on_quantities, name_plainly, say_of_things, tell_named_things, tell_upright_axes,
 };
 use super::planar::turn_in_planes;
+use super::plane_turns::turn_across_planes;
+use super::planets::place_planets;
 use super::pulleys::hang_on_pulleys;
+use super::pulleys_on_axes::hang_beside_axes;
 use super::remaining_loads::list_remaining_loads;
 use super::rigid_wholes::fix_particles;
 use super::rolling_inside::tell_distances_of_rollers;
@@ -80,6 +86,7 @@ use super::sizes_aside::give_sizes_aside;
 use super::slopes::lay_slopes;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
+use super::straight_ways::move_on_lines;
 use super::suspended::tell_suspended;
 use super::together::join_together;
 use super::told_anew::part_points_told_anew;
@@ -91,6 +98,7 @@ use super::turned_lines::turn_lines;
 use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in_order};
 use super::unknown_bodies::leave_unknown_bodies;
 use super::unwound::unwind_strings;
+use super::unwound_beside::unwind_beside_axes;
 use super::weights::tell_gravity;
 use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
@@ -184,6 +192,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
     name_axes_by_vectors(declarations);
     name_fixed_axes(declarations, macros);
     tell_upright_axes(declarations);
+    carry_planes(declarations);
     lay_floors(declarations);
     tell_contacts(declarations);
 }
@@ -231,11 +240,13 @@ fn tell_shapes(declarations: &mut Vec<Declaration>, lexicon: &Lexicon) {
     centre_shapes(declarations);
     tell_parts(declarations);
     tell_entries(declarations);
+    keep_sizes(declarations);
 }
 
 /// Where bodies end, and where they are joined.
 fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_about_ways(declarations, macros);
+    place_planets(declarations, macros);
     let downward = hang_at_impact(declarations, macros);
     tell_axes_that_point_down(declarations);
     name_level_axes(declarations);
@@ -243,6 +254,7 @@ fn tell_ends(declarations: &mut Vec<Declaration>, macros: &Macros) {
     place_at_zero(declarations);
     tell_hinges(declarations);
     name_ends(declarations);
+    end_by_names(declarations);
     fix_ends(declarations);
     lay_by_angles(declarations, macros);
     lay_hung_rods(declarations, macros);
@@ -264,8 +276,11 @@ fn turn_about_axes(declarations: &mut Vec<Declaration>) {
 
 /// What slides, hangs and turns in a plane gets its place and its turn by the lines that sentences speak of.
 fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
+    move_on_lines(declarations);
     lay_slopes(declarations);
+    unwind_beside_axes(declarations, macros);
     unwind_strings(declarations, macros);
+    hang_beside_axes(declarations, macros);
     hang_on_pulleys(declarations, macros);
     place_on_lines(declarations);
     place_on_rings(declarations);
@@ -274,4 +289,5 @@ fn move_along_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_lines(declarations, macros);
     turn_in_planes(declarations, macros);
     turn_in_own_planes(declarations);
+    turn_across_planes(declarations);
 }

@@ -25,7 +25,7 @@ const DEPTHS: [&str; 2] = ["d_{\\mathrm{string}1}", "d_{\\mathrm{string}2}"];
 const CENTRE: &str = "pulley centre";
 
 /// The noun of the pull of a string.
-const TENSION: &str = "tension";
+pub(super) const TENSION: &str = "tension";
 
 /// A string over a pulley, with what hangs from it.
 struct Pulley {
@@ -264,18 +264,18 @@ fn is_of_pulley(statement: &Statement, told: &Pulley) -> bool {
     }
 }
 
-fn is(subject: &Term, head: &'static str, slots: Vec<(Slot, Term)>) -> Statement {
+pub(super) fn is(subject: &Term, head: &'static str, slots: Vec<(Slot, Term)>) -> Statement {
     Statement::one_is(subject.clone(), NounPhrase::new(head, slots))
 }
 
 /// "… are the only loads on …"
-fn only(head: &'static str, slots: Vec<(Slot, Term)>) -> Statement {
+pub(super) fn only(head: &'static str, slots: Vec<(Slot, Term)>) -> Statement {
     let mut premise = NounPhrase::new(head, slots);
     premise.adjectives.push("only");
     Statement::Premise(premise)
 }
 
-fn phrase(head: &'static str, slots: Vec<(Slot, Term)>) -> Term {
+pub(super) fn phrase(head: &'static str, slots: Vec<(Slot, Term)>) -> Term {
     Term::Phrase(Box::new(NounPhrase::new(head, slots)))
 }
 

@@ -34,7 +34,23 @@ pub(super) fn tell_distances_of_rollers(declarations: &mut Vec<Declaration>, mac
 }
 
 fn roller(declaration: &Declaration) -> Option<Roller<'_>> {
-    let ([body], slots) = declaration.statement.does("roll")? else {
+    let (body, on, inside) = roller_on(&declaration.statement)?;
+    let (_, slots) = declaration.statement.does("roll")?;
+    let side = slots.iter().any(|(slot, on)| match on {
+        Term::Phrase(side) => side.head == "surface",
+        _ => *slot == Slot::In,
+    });
+    (side && declaration.extent == Extent::Document).then_some(Roller {
+        body,
+        on,
+        inside,
+        declaration,
+    })
+}
+
+/// What rolls, on what, and whether inside of that.
+pub(super) fn roller_on(statement: &Statement) -> Option<(&Term, &Term, bool)> {
+    let ([body], slots) = statement.does("roll")? else {
         return None;
     };
     let on = slots
@@ -47,14 +63,10 @@ fn roller(declaration: &Declaration) -> Option<Roller<'_>> {
             let outside = OUTER.iter().any(|said| side.is(said));
             (side.slot(Slot::Of).filter(|_| inside != outside)?, inside)
         }
+        (Slot::On, on @ Term::Name(_)) => (on, false),
         _ => return None,
     };
-    (declaration.extent == Extent::Document).then_some(Roller {
-        body,
-        on,
-        inside,
-        declaration,
-    })
+    Some((body, on, inside))
 }
 
 fn distance(

@@ -30,6 +30,10 @@ impl Acting<'_> {
         let word = |text: &str| put_in(Kind::Word, text, near);
         // A capital at the beginning of the sentence makes no name of an article.
         let agent: Vec<Token> = match self.agent {
+            // "The load acts on gear 2": what the gear drives.
+            [the, load] if the.lower == "the" && load.lower == "load" => {
+                ["the", "machine"].map(word).to_vec()
+            }
             [first, rest @ ..] if ARTICLES.contains(&first.lower.as_str()) => {
                 [&[word(&first.lower)], rest].concat()
             }

@@ -5,7 +5,7 @@ use super::heads::{POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS, VERTICAL};
 use super::inclined_frames::incline_frames;
 use super::kinds::name;
 use super::planar_axes::axis;
-use super::planar_lines::{Line, line_between, place_along};
+use super::planar_lines::{Line, line_between, place_along, place_ends};
 use super::reader::formula;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::turned_frames::turn_frames;
@@ -38,7 +38,9 @@ pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
                 let said = declarations.remove(at);
                 place_along(&line, number, declarations);
                 name_ways(&line, number, declarations);
+                let ends = place_ends(&line, number, declarations, macros);
                 let told = [Some(turn), line.besides(number)].into_iter().flatten();
+                let told = told.chain(ends);
                 declarations.extend(told.map(|statement| said.saying(statement)));
             }
             None => at += 1,
@@ -92,7 +94,9 @@ fn turned(
                 && slot(slots, Slot::RelativeTo) == Some(&from.frame)
         })
     };
-    if line.is_of_body() && declarations.iter().any(turns) {
+    if line.is_of_long_body() && declarations.iter().any(turns)
+        || line.is_told_otherwise(declarations)
+    {
         return None;
     }
     let source = match (from.reversed, forwards) {

@@ -23,14 +23,14 @@ const BESIDE: usize = 1;
 const ABOUT: usize = 2;
 
 /// A string that unwinds, and from what.
-struct Unwinding {
-    at: usize,
-    string: Term,
-    part: Term,
-    body: Term,
-    ground: Term,
+pub(super) struct Unwinding {
+    pub(super) at: usize,
+    pub(super) string: Term,
+    pub(super) part: Term,
+    pub(super) body: Term,
+    pub(super) ground: Term,
     /// Whether the third axis points down.
-    down: bool,
+    pub(super) down: bool,
 }
 
 /// Says that the body rolls along the string, and that this pulls where the body touches it.
@@ -93,7 +93,7 @@ fn is_vertical(string: &Term, declarations: &[Declaration]) -> bool {
 }
 
 /// "The string is vertical."
-fn says_vertical(statement: &Statement, string: &Term) -> bool {
+pub(super) fn says_vertical(statement: &Statement, string: &Term) -> bool {
     match statement {
         Statement::Is { subjects, what } => {
             what.head == VERTICAL && what.slots.is_empty() && subjects.contains(string)
@@ -103,7 +103,7 @@ fn says_vertical(statement: &Statement, string: &Term) -> bool {
 }
 
 /// The frame in which the upper end of the string is fixed.
-fn held_in(string: &Term, declarations: &[Declaration]) -> Option<Term> {
+pub(super) fn held_in(string: &Term, declarations: &[Declaration]) -> Option<Term> {
     let place = declarations.iter().find_map(|d| {
         let (subjects, slots) = d.statement.does("hang")?;
         subjects.contains(string).then(|| slot(slots, Slot::From))?
@@ -128,7 +128,7 @@ fn held_in(string: &Term, declarations: &[Declaration]) -> Option<Term> {
 }
 
 /// The body with a mass from which the string unwinds, or of which it unwinds from a part.
-fn body_with(part: &Term, declarations: &[Declaration]) -> Option<Term> {
+pub(super) fn body_with(part: &Term, declarations: &[Declaration]) -> Option<Term> {
     let mut bodies: Vec<Term> = vec![];
     for declaration in declarations {
         let Statement::Is { subjects, what } = &declaration.statement else {
@@ -298,7 +298,7 @@ fn take_radius(declarations: &mut [Declaration], told: &Unwinding) {
 }
 
 /// The tension is the force where the string leaves the body, and pulls up.
-fn pull_there(statement: &mut Statement, told: &Unwinding, point: &Term) {
+pub(super) fn pull_there(statement: &mut Statement, told: &Unwinding, point: &Term) {
     let pull = |load: &NounPhrase| {
         let of_string = load.slot(Slot::Of) == Some(&told.string);
         of_string && matches!(load.head, "tension" | FORCE)

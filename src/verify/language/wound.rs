@@ -13,6 +13,9 @@ pub(super) fn winds(statement: &Statement) -> Option<(&Term, &Term)> {
     WOUND
         .iter()
         .find_map(|(verb, from)| match statement.does(verb)? {
+            ([string], [(slot, Term::Phrase(rim))]) if slot == from && rim.head == "rim" => {
+                Some((string, rim.slot(Slot::Of)?))
+            }
             ([string], [(slot, part)]) if slot == from => Some((string, part)),
             _ => None,
         })

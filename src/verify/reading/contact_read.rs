@@ -138,9 +138,12 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let body = self.body(what.slot(Slot::Of)?)?;
-        let plane = self.plane_under(body, what.slot(Slot::On), declaration)?;
         let [subject] = subjects else { return None };
         let name = name_of(subject)?;
+        if let Some(on) = what.slot(Slot::On).filter(|on| self.is_body_under(on)) {
+            return self.read_meeting_point(name, body, on, declaration);
+        }
+        let plane = self.plane_under(body, what.slot(Slot::On), declaration)?;
         match self.points.get(&name).copied() {
             Some(point) => {
                 let contact = Contact { body, plane, point };
@@ -249,6 +252,10 @@ impl Builder<'_> {
         let on = slot(slots, Slot::On).or_else(|| slot(slots, Slot::In));
         for subject in subjects {
             let body = self.body(subject).filter(|body| self.is_centred(*body))?;
+            if let Some(on) = on.filter(|on| self.is_body_under(on)) {
+                self.roll_on_body(body, on, slot(slots, Slot::At), declaration)?;
+                continue;
+            }
             let plane = self.plane_under(body, on, declaration)?;
             let at = match slot(slots, Slot::At) {
                 Some(term) => match self.point(term) {

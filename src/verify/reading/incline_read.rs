@@ -203,6 +203,12 @@ impl Builder<'_> {
             let upward = told.then(|| self.upward())?;
             return Some(if down { -upward } else { upward });
         }
+        if phrase.head == NORMAL && self.bearings.lie.normal.is_none() {
+            let of = phrase.slot(Slot::Of).filter(|_| phrase.slots.len() == 1);
+            return of
+                .and_then(|of| self.plane(Some(of)))
+                .map(|plane| plane.normal);
+        }
         let ground = self.reading.system.ground;
         let (axis, along) = match (phrase.head, self.bearings.lie) {
             (DOWNHILL, Lie { falls, .. }) => falls?,

@@ -348,7 +348,9 @@ impl Builder<'_> {
         let rigid = |body: BodyId| self.reading.system.bodies[body].frame.is_some();
         let load = matches!(phrase.head, FORCE | MOMENT)
             || phrase.slot(Slot::Upon).is_some() && is_couple_of_a_kind(phrase.head);
-        (load && agent != on && rigid(agent) && rigid(on)).then_some(Pair { agent, on })
+        // A surface on which something rolls acts as a plane does, where that touches it.
+        let surface = self.is_rolled_on(agent) || self.is_rolled_on(on);
+        (load && !surface && agent != on && rigid(agent) && rigid(on)).then_some(Pair { agent, on })
     }
 
     /// A point that is fixed in both bodies, or the mass centre of the one that was named first.

@@ -160,7 +160,7 @@ impl Builder<'_> {
         Some(())
     }
 
-    fn add_load(
+    pub(super) fn add_load(
         &mut self,
         head: &str,
         letter: &Formula,

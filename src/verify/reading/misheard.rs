@@ -128,7 +128,14 @@ fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
     let counted = what.head != "angle" && has_sense(what);
     let per_unit = what.head != MASS && is_per_unit(what);
     let less = only_names(what.head) && what.all(Slot::With).any(takes_away);
-    with || less || together || opposite || counted || per_unit || has_reversed(&what.slots)
+    // A component along the negative third axis is the opposite of that along it.
+    let told = |slot: Slot, axis: &Term| {
+        let numbered = matches!(axis, Term::Phrase(axis) if axis.slot(Slot::Which).is_some());
+        what.head == "component" && slot == Slot::Along && numbered
+    };
+    let mut slots = what.slots.iter();
+    let reversed = slots.any(|(slot, term)| is_reversed(term) && !told(*slot, term));
+    with || less || together || opposite || counted || per_unit || reversed
 }
 
 /// "except the sign"; of a total load other loads may be left out.

@@ -167,7 +167,13 @@ impl Builder<'_> {
         let from = phrase
             .slot(Slot::RelativeTo)
             .or_else(|| phrase.slot(Slot::From));
-        let from = told(from, 0, |term| self.point(term))?;
+        // "the displacement of G relative to N": from where it once was.
+        let ground = Some(self.reading.system.ground);
+        let once = |term: &Term| phrase.head == "displacement" && self.frame(term) == ground;
+        let from = told(from, 0, |term| match self.point(term) {
+            None if once(term) => Some(0),
+            point => point,
+        })?;
         Some(Quantity::Position { of, from })
     }
 

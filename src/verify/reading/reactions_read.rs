@@ -250,6 +250,9 @@ impl Builder<'_> {
             }
             _ => false,
         });
+        if counted {
+            self.name_whole_at(contact);
+        }
         let force = counted.then(|| self.force_at(contact.point)).flatten()?;
         self.system().value_of(&force).ok()?.to_vector().ok()
     }

@@ -223,8 +223,16 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Whether sentences tell where a surface is by its centre or its axis.
+    pub(super) fn is_laid(&self, term: &Term, said: &SurfaceSaid<'a>) -> bool {
+        match said.straight {
+            true => self.axis_of_surface(term, said.what).is_some(),
+            false => self.centre_of_surface(term).is_some(),
+        }
+    }
+
     /// "The ball rolls in the bowl", "on the outer surface of the cylinder".
-    fn side(&self, body: BodyId, surface: &Term) -> Option<Side> {
+    pub(super) fn side(&self, body: BodyId, surface: &Term) -> Option<Side> {
         let mut sides = self.declarations.iter().filter_map(|d| {
             let (own, on, within) = match &d.statement {
                 Statement::Does {
