@@ -1,6 +1,7 @@
 //! Several things said in one sentence: where it parts, and the words that its parts leave out.
 
 use super::anaphora::{meant_by_it, reminded};
+use super::asides::stands_in;
 use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
@@ -10,8 +11,9 @@ use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
 
 /// What things do and letters do not.
-const MOVES: [&str; 8] = [
-    "lies", "lie", "moves", "turns", "rolls", "slides", "swings", "rests",
+const MOVES: [&str; 15] = [
+    "lies", "lie", "moves", "turns", "rolls", "slides", "swings", "rests", "hangs", "hang",
+    "spins", "rotates", "stands", "touches", "carries",
 ];
 
 /// Words for what the clause before speaks of.
@@ -142,13 +144,15 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     let moves =
         (moves || is_joined(rest) && ends_with_size(first)) && letter(last) && !letter(subject);
     // "the kinetic energy of the top, which is not zero": a letter is, and not a thing.
-    let valued = is_of_quantities(rest) && letter(subject) && !letter(last);
+    let valued =
+        (is_of_quantities(rest) || is_way_of_load(first, rest)) && letter(subject) && !letter(last);
     let owners = match acts || moves || valued {
         true => [subject, last],
         false => [last, subject],
     };
+    // A clause does not name what it is said of.
+    let owners = owners.iter().filter(|owner| !stands_in(owner, rest));
     owners
-        .iter()
         .flat_map(|owner| match relative.lower.as_str() {
             "whose" => vec![whose(owner)],
             // "which is fixed in B", "which line 7 defines"
@@ -197,6 +201,24 @@ fn ends_with_size(first: &[Token]) -> bool {
 const OF_QUANTITIES: [&str; 6] = [
     "zero", "positive", "negative", "nonzero", "constant", "small",
 ];
+
+/// Words for how forces are directed.
+const DIRECTED: [&str; 4] = ["normal", "perpendicular", "parallel", "directed"];
+
+/// "the force of the floor on the disc, which is normal to the floor": it is the force that is directed so.
+pub(super) fn is_way_of_load(first: &[Token], rest: &[Token]) -> bool {
+    let load = |t: &Token| {
+        matches!(
+            t.lower.as_str(),
+            "force" | "moment" | "reaction" | "friction"
+        )
+    };
+    let way = rest
+        .iter()
+        .take(3)
+        .any(|t| DIRECTED.contains(&t.lower.as_str()));
+    way && first.iter().any(load)
+}
 
 /// "is not zero"
 fn is_of_quantities(rest: &[Token]) -> bool {
