@@ -101,6 +101,7 @@ mod motor_reactions;
 mod mounted;
 mod named_members;
 mod named_places;
+mod named_things;
 mod nicknames;
 mod numbered_frames;
 mod on_lines;

@@ -1,12 +1,15 @@
 //! What is said of a thing within a sentence about another, as a clause of its own: "a disc that turns about z", "the floor,
 //! which is fixed in N,", "a point whose position is `$r$`", "the axle, about which it turns", "hinged at O, a point of N".
 
-use super::ellipsis::is_way_of_load;
 use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
+use super::named_things::{
+    definite, is_name, is_way_of_load, named_last, stands_in, with_owner, without_comma,
+    without_sizes,
+};
 use super::reader::{ARTICLES, COPULAS};
 use super::rewrite::put_in;
-use super::sentence_parts::{begins_with_verb, clause, head, nouns_end, preposition, thing_in};
+use super::sentence_parts::{begins_with_verb, clause, nouns_end, preposition};
 use super::words::{Kind, Token};
 
 /// So many ways to tell the asides of a sentence are tried at most.
@@ -314,13 +317,6 @@ fn possessed(inside: &[Token], whose: &[Token], lexicon: &Lexicon) -> Option<Vec
     Some([told, &semicolon[..], &possessed(next, whose, lexicon)?].concat())
 }
 
-fn without_comma(tokens: &[Token]) -> &[Token] {
-    match tokens {
-        [rest @ .., comma] if comma.kind == Kind::Comma => rest,
-        _ => tokens,
-    }
-}
-
 /// Whether a clause begins that has a subject of its own: "which the floor supports", "that it touches".
 fn begins_subject(inside: &[Token]) -> bool {
     let Some(first) = inside.first() else {
@@ -334,92 +330,4 @@ fn begins_subject(inside: &[Token]) -> bool {
 /// Whether a clause stands here: something before a verb.
 fn has_verb(tokens: &[Token], lexicon: &Lexicon) -> bool {
     begins_with_verb(tokens, lexicon) || clause(tokens, lexicon).is_some()
-}
-
-/// The words without the sizes at their end: "of mass `$m$` and radius `$r$`".
-fn without_sizes<'t>(tokens: &'t [Token], lexicon: &Lexicon) -> &'t [Token] {
-    let mut now = tokens;
-    loop {
-        let [before @ .., size, letter] = now else {
-            return now;
-        };
-        let letter = letter.kind == Kind::Formula;
-        let words = [size.lower.as_str()];
-        let noun = lexicon.find(&words, &[Class::Noun]);
-        if !letter || noun.is_none_or(|noun| !SIZES.contains(&noun.entry.name)) {
-            return now;
-        }
-        let joined = |t: &&Token| {
-            t.kind == Kind::Comma
-                || matches!(t.lower.as_str(), "of" | "with" | "and" | "the" | "a" | "an")
-        };
-        let skipped = before.iter().rev().take_while(joined).count();
-        if skipped == 0 || skipped == before.len() {
-            return now;
-        }
-        now = &before[..before.len() - skipped];
-    }
-}
-
-/// Whether words stand among others.
-pub(super) fn stands_in(words: &[Token], others: &[Token]) -> bool {
-    let mut windows = others.windows(words.len().max(1));
-    windows.any(|window| {
-        window
-            .iter()
-            .zip(words)
-            .all(|(one, other)| one.lower == other.lower)
-    })
-}
-
-/// "the force of the hoop": the last noun with what it is of.
-fn with_owner(tokens: &[Token]) -> Option<Vec<Token>> {
-    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str()) && t.text != "A";
-    let of = tokens.iter().rposition(|t| t.lower == "of")?;
-    let start = tokens[..of].iter().rposition(article)?;
-    let listed = tokens[start..].iter().any(|t| t.kind == Kind::Comma);
-    let definite = tokens[start].lower == "the" && !listed;
-    definite.then(|| tokens[start..].to_vec())
-}
-
-/// What is named last: a name, a letter, or the noun behind the last article, without what describes it.
-fn named_last(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
-    let article = |t: &Token| ARTICLES.contains(&t.lower.as_str()) && t.text != "A";
-    let last = tokens.last()?;
-    if is_name(last) || last.kind == Kind::Formula {
-        return Some(vec![last.clone()]);
-    }
-    let at = tokens.iter().rposition(article)?;
-    Some(definite(&tokens[at..], lexicon))
-}
-
-fn is_name(token: &Token) -> bool {
-    let capital = token.text.chars().next().is_some_and(char::is_uppercase);
-    let short = token
-        .text
-        .chars()
-        .all(|c| c.is_uppercase() || c.is_ascii_digit() || c == '_');
-    is_word(token) && capital && short
-}
-
-/// The thing that words name, as it is spoken of again: "a uniform rod" as "the rod", "a disc D" as "D".
-fn definite(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
-    let Some((article, noun)) = tokens.split_first() else {
-        return vec![];
-    };
-    if !ARTICLES.contains(&article.lower.as_str()) || tokens.len() == 1 {
-        return tokens.to_vec();
-    }
-    let the = put_in(Kind::Word, "the", article);
-    let (from, end) = thing_in(noun, lexicon).unwrap_or_else(|| {
-        let named = head(tokens, lexicon).len();
-        (0, named)
-    });
-    match noun
-        .get(end)
-        .filter(|t| is_name(t) || t.kind == Kind::Formula)
-    {
-        Some(name) => vec![name.clone()],
-        None => [&[the], &noun[from..end.max(from)]].concat(),
-    }
 }

@@ -1,9 +1,9 @@
 //! Several things said in one sentence: where it parts, and the words that its parts leave out.
 
 use super::anaphora::{meant_by_it, reminded};
-use super::asides::stands_in;
 use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
+use super::named_things::{is_way_of_load, stands_in, without_comma};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
@@ -80,13 +80,6 @@ fn is_formula(token: &Token) -> bool {
 
 /// Words before a formula by which it is a condition.
 const CONDITIONAL: [&str; 6] = ["at", "when", "while", "for", "where", "if"];
-
-fn without_comma(tokens: &[Token]) -> &[Token] {
-    match tokens {
-        [rest @ .., comma] if comma.kind == Kind::Comma => rest,
-        _ => tokens,
-    }
-}
 
 /// Whether a comma stands between the letters of a list that begins behind another comma: "on B, `$a$`, `$b$` those of C".
 fn in_list(tokens: &[Token], at: usize) -> bool {
@@ -201,24 +194,6 @@ fn ends_with_size(first: &[Token]) -> bool {
 const OF_QUANTITIES: [&str; 6] = [
     "zero", "positive", "negative", "nonzero", "constant", "small",
 ];
-
-/// Words for how forces are directed.
-const DIRECTED: [&str; 4] = ["normal", "perpendicular", "parallel", "directed"];
-
-/// "the force of the floor on the disc, which is normal to the floor": it is the force that is directed so.
-pub(super) fn is_way_of_load(first: &[Token], rest: &[Token]) -> bool {
-    let load = |t: &Token| {
-        matches!(
-            t.lower.as_str(),
-            "force" | "moment" | "reaction" | "friction"
-        )
-    };
-    let way = rest
-        .iter()
-        .take(3)
-        .any(|t| DIRECTED.contains(&t.lower.as_str()));
-    way && first.iter().any(load)
-}
 
 /// "is not zero"
 fn is_of_quantities(rest: &[Token]) -> bool {
