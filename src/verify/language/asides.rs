@@ -219,7 +219,7 @@ impl Aside<'_> {
         let before = without_sizes(self.before, lexicon);
         let mut things = vec![];
         if let Some((subject, ..)) = clause(before, lexicon)
-            && is_way_of_load(before, self.inside)
+            && (is_way_of_load(before, self.inside) || self.acts())
         {
             return vec![definite(subject, lexicon)];
         }
@@ -254,6 +254,12 @@ impl Aside<'_> {
         // "the force of the floor, which is normal to the floor": an aside does not name what it is said of.
         things.retain(|thing| !stands_in(thing, self.inside));
         things
+    }
+
+    /// A force acts, and not the body that it is told of.
+    fn acts(&self) -> bool {
+        let first = self.inside.first();
+        first.is_some_and(|t| t.lower.starts_with("act"))
     }
 
     /// Whether a size is told, which no point has: "which has the length `$l$`", "whose mass is `$m$`".

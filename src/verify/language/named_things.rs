@@ -4,7 +4,7 @@ use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
 use super::reader::ARTICLES;
 use super::rewrite::put_in;
-use super::sentence_parts::{head, thing_in};
+use super::sentence_parts::{head, joins, thing_in};
 use super::words::{Kind, Token};
 
 /// The words without the sizes at their end: "of mass `$m$` and radius `$r$`".
@@ -48,7 +48,7 @@ pub(super) fn with_owner(tokens: &[Token]) -> Option<Vec<Token>> {
     let article = |t: &Token| ARTICLES.contains(&t.lower.as_str()) && t.text != "A";
     let of = tokens.iter().rposition(|t| t.lower == "of")?;
     let start = tokens[..of].iter().rposition(article)?;
-    let listed = tokens[start..].iter().any(|t| t.kind == Kind::Comma);
+    let listed = tokens[start..].iter().any(joins);
     let definite = tokens[start].lower == "the" && !listed;
     definite.then(|| tokens[start..].to_vec())
 }
@@ -57,7 +57,13 @@ pub(super) fn with_owner(tokens: &[Token]) -> Option<Vec<Token>> {
 pub(super) fn named_last(tokens: &[Token], lexicon: &Lexicon) -> Option<Vec<Token>> {
     let article = |t: &Token| ARTICLES.contains(&t.lower.as_str()) && t.text != "A";
     let last = tokens.last()?;
-    if is_name(last) || last.kind == Kind::Formula {
+    let letter = last.kind == Kind::Word && last.text.chars().count() == 1;
+    // Of letters in a list all may be meant.
+    let listed = matches!(tokens, [.., _, and, _] if last.kind == Kind::Formula && joins(and));
+    if listed {
+        return None;
+    }
+    if letter || is_name(last) || last.kind == Kind::Formula {
         return Some(vec![last.clone()]);
     }
     let at = tokens.iter().rposition(article)?;
