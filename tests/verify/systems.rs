@@ -55,6 +55,7 @@ mod rolling;
 mod round_surfaces;
 mod rules_of_writing;
 mod scenes;
+mod sentence_forms;
 mod shapes_and_wholes;
 mod shapes_left_open;
 mod signs_and_orders;

@@ -1,5 +1,6 @@
 //! Words that stand for what the sentences before spoke of: "it", "its", "that of", "this frame".
 
+use super::first_rotations::with_first_rotations;
 use super::heads::{ACCELERATION, ANGULAR_VELOCITY, MASS, POSITION, VELOCITY};
 use super::lexicon::{Class, Lexicon};
 use super::reader::{ARTICLES, COPULAS};
@@ -22,6 +23,8 @@ const FURTHEST: usize = 12;
 /// are the sentences before, in their order.
 pub(crate) fn referring(tokens: &[Token], said: &[&[Token]], lexicon: &Lexicon) -> Vec<Vec<Token>> {
     let mut all: Vec<Vec<Token>> = said_before(tokens, lexicon).into_iter().collect();
+    let last = said.last().copied().unwrap_or_default();
+    all.extend(with_first_rotations(tokens, last));
     let mut clauses = said.iter().rev().filter_map(|said| clause(said, lexicon));
     let Some((subject, _, rest)) = clauses.clone().next() else {
         return all;

@@ -95,9 +95,15 @@ fn is_numbered_axis(what: &NounPhrase) -> bool {
     what.head == "axis" && what.slot(Slot::Which).is_some()
 }
 
-/// "`$u$` is normal to `$n$`" is said of two directions; of bodies and planes it is a noun.
+/// "`$u$` is normal to `$n$`" is said of two directions; of bodies and planes it is a noun. A flat body that is round is
+/// symmetric about its normal.
 pub(crate) fn tell_normals(declarations: &mut [Declaration]) {
+    let discs: Vec<Term> = declarations.iter().flat_map(round_and_flat).collect();
     for declaration in declarations {
+        if let Some(told) = symmetric_about_normal(&declaration.statement, &discs) {
+            declaration.statement = told;
+            continue;
+        }
         let Statement::Is { subjects, what } = &mut declaration.statement else {
             continue;
         };
@@ -123,6 +129,32 @@ pub(crate) fn tell_normals(declarations: &mut [Declaration]) {
             _ => {}
         }
     }
+}
+
+/// What a sentence says to be flat and round.
+fn round_and_flat(declaration: &Declaration) -> Vec<Term> {
+    match &declaration.statement {
+        Statement::Is { subjects, what }
+            if has(what.head, Trait::Round) && has(what.head, Trait::Flat) =>
+        {
+            subjects.clone()
+        }
+        _ => vec![],
+    }
+}
+
+fn symmetric_about_normal(statement: &Statement, discs: &[Term]) -> Option<Statement> {
+    let Statement::Is { subjects, what } = statement else {
+        return None;
+    };
+    let ([axis], [(Slot::Of, disc)], NORMAL) =
+        (subjects.as_slice(), what.slots.as_slice(), what.head)
+    else {
+        return None;
+    };
+    let about = vec![(Slot::About, axis.clone())];
+    let told = Statement::one_is(disc.clone(), NounPhrase::new("symmetric", about));
+    discs.contains(disc).then_some(told)
 }
 
 /// "P is the other end": of the body of whose end the sentence before tells.

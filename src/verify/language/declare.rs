@@ -2,6 +2,7 @@
 
 use super::absences::{part_absences, tell_absences};
 use super::anaphora::referring;
+use super::angles_told::tell_angles;
 use super::attachments::join_attachments;
 use super::bodies::introduced;
 use super::both::{Kinds, counting_letters, tell_both, tell_each};
@@ -37,6 +38,7 @@ pub fn read_declarations(
     keep_capitals(&mut parted);
     name_by_letters(&mut parted, lexicon);
     join_attachments(&mut parted);
+    tell_angles(&mut parted);
     say_where(&mut parted, lexicon, macros);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let mut bodies = introduced(understood.clone(), lexicon);

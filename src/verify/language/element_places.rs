@@ -1,7 +1,10 @@
-//! A point by the element of a body that is there: what is said of its place is said of the place of the element.
+//! A point by the element of a body that is there: what is said of its place is said of the place of the element. Particles
+//! that an index counts are placed by letters that denote their positions.
 
 use super::fixed_axes::replace;
-use super::statement::{Declaration, Extent, Slot, Statement, Term};
+use super::heads::POSITION;
+use super::one_thing::is_letter;
+use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
 
 /// What bodies that are spread out are made of.
 const ELEMENT: &str = "element";
@@ -31,5 +34,43 @@ pub(super) fn place_of_element(declaration: &Declaration) -> Option<(Term, Term)
             own.then(|| (point.clone(), element.clone()))
         }
         _ => None,
+    }
+}
+
+/// "Particle `$i$` is placed from O by `$r_i$`" says what the letter is: the position of the particle from O.
+pub(crate) fn tell_places_of_particles(declarations: &mut [Declaration]) {
+    for declaration in declarations {
+        let Statement::Does {
+            subjects,
+            verb: "place",
+            slots,
+        } = &declaration.statement
+        else {
+            continue;
+        };
+        if let ([particle], [(Slot::From, from), (Slot::By, Term::Formula(letter))]) =
+            (subjects.as_slice(), slots.as_slice())
+            && is_counted_particle(particle)
+            && is_letter(letter)
+        {
+            let slots = vec![
+                (Slot::Of, particle.clone()),
+                (Slot::RelativeTo, from.clone()),
+            ];
+            declaration.statement = Statement::Is {
+                subjects: vec![Term::Formula(letter.clone())],
+                what: NounPhrase::new(POSITION, slots),
+            };
+        }
+    }
+}
+
+fn is_counted_particle(particle: &Term) -> bool {
+    match particle {
+        Term::Member { family, index } => {
+            let number = index.source.trim().chars().all(|c| c.is_ascii_digit());
+            family == "particle" && !number
+        }
+        _ => false,
     }
 }

@@ -3,6 +3,7 @@
 use super::anaphora::{meant_by_it, reminded};
 use super::heads::SIZES;
 use super::lexicon::{Class, Lexicon};
+use super::named_things::{is_way_of_load, stands_in, without_comma};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
@@ -10,8 +11,9 @@ use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
 
 /// What things do and letters do not.
-const MOVES: [&str; 8] = [
-    "lies", "lie", "moves", "turns", "rolls", "slides", "swings", "rests",
+const MOVES: [&str; 15] = [
+    "lies", "lie", "moves", "turns", "rolls", "slides", "swings", "rests", "hangs", "hang",
+    "spins", "rotates", "stands", "touches", "carries",
 ];
 
 /// Words for what the clause before speaks of.
@@ -79,13 +81,6 @@ fn is_formula(token: &Token) -> bool {
 /// Words before a formula by which it is a condition.
 const CONDITIONAL: [&str; 6] = ["at", "when", "while", "for", "where", "if"];
 
-fn without_comma(tokens: &[Token]) -> &[Token] {
-    match tokens {
-        [rest @ .., comma] if comma.kind == Kind::Comma => rest,
-        _ => tokens,
-    }
-}
-
 /// Whether a comma stands between the letters of a list that begins behind another comma: "on B, `$a$`, `$b$` those of C".
 fn in_list(tokens: &[Token], at: usize) -> bool {
     let formula = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain);
@@ -142,13 +137,15 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     let moves =
         (moves || is_joined(rest) && ends_with_size(first)) && letter(last) && !letter(subject);
     // "the kinetic energy of the top, which is not zero": a letter is, and not a thing.
-    let valued = is_of_quantities(rest) && letter(subject) && !letter(last);
+    let valued =
+        (is_of_quantities(rest) || is_way_of_load(first, rest)) && letter(subject) && !letter(last);
     let owners = match acts || moves || valued {
         true => [subject, last],
         false => [last, subject],
     };
+    // A clause does not name what it is said of.
+    let owners = owners.iter().filter(|owner| !stands_in(owner, rest));
     owners
-        .iter()
         .flat_map(|owner| match relative.lower.as_str() {
             "whose" => vec![whose(owner)],
             // "which is fixed in B", "which line 7 defines"

@@ -30,6 +30,17 @@ const PLACES: [&str; 17] = [
     "bottom", "end", "helion", "foot", "corner", "edge",
 ];
 
+/// What frames are called, which may stand before the letter as well: "the laboratory N is an inertial frame".
+const FRAMES: [&str; 7] = [
+    "laboratory",
+    "lab",
+    "workshop",
+    "room",
+    "hall",
+    "observatory",
+    "base",
+];
+
 /// What points are called, each with its letter; none where a word is said of two.
 type Called = BTreeMap<String, Option<Token>>;
 
@@ -66,6 +77,13 @@ fn told<'t>(tokens: &'t [Token], at: usize, lexicon: &Lexicon) -> Option<(&'t st
         }
         [the, word, letter, ..] if is_article(the) && is_joint(word) && is_letter(letter) => {
             Some((word.lower.as_str(), letter))
+        }
+        [the, word, letter, is, what @ ..]
+            if is_article(the) && is_frame(word) && is_letter(letter) && is.lower == "is" =>
+        {
+            let frame = |t: &Token| matches!(t.lower.as_str(), "frame" | "inertial");
+            let told = what.iter().take(3).any(frame);
+            told.then_some((word.lower.as_str(), letter))
         }
         _ => None,
     }
@@ -148,6 +166,10 @@ fn is_joint(token: &Token) -> bool {
     token.kind == Kind::Word && JOINTS.contains(&token.lower.as_str())
 }
 
+fn is_frame(token: &Token) -> bool {
+    token.kind == Kind::Word && FRAMES.contains(&token.lower.as_str())
+}
+
 /// Whether a word is none of the language and does not say where a point is.
 fn is_name(token: &Token, lexicon: &Lexicon) -> bool {
     let word = token.lower.as_str();
@@ -201,6 +223,8 @@ fn lettered(tokens: &[Token], called: &Called, lexicon: &Lexicon) -> Option<(Vec
         next.kind == Kind::Word && lexicon.find(&[next.lower.as_str()], &NOUNS).is_some()
     });
     Some(match noun {
+        // "the laboratory frame"
+        Some(_) if is_frame(word) => return None,
         Some(noun) => {
             let [the, at] = ["the", "at"].map(|word| put_in(Kind::Word, word, noun));
             (vec![the, noun.clone(), at, letter], 3)

@@ -1,5 +1,6 @@
 //! The origins of frames: "the origin of B" is a point fixed in B, also where no sentence gives it a name.
 
+use super::heads::MOMENT_OF_INERTIA;
 use super::kinds::name;
 use super::messages::origin_of;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term};
@@ -88,4 +89,58 @@ fn call(term: &mut Term, called: &mut impl FnMut(&Term) -> Option<Term>) {
     }
     let slots = phrase.slots.iter_mut();
     slots.for_each(|(_, term)| call(term, called));
+}
+
+/// "the moment of inertia of the body about x", of an axis of a frame whose origin is told: about the axis through it.
+pub(crate) fn take_axes_through_origins(declarations: &mut [Declaration]) {
+    let axes: Vec<(Term, Term)> = declarations
+        .iter()
+        .filter_map(|d| {
+            let (axes, frame) = axes_of(&d.statement)?;
+            let origin = declarations.iter().find_map(|d| origin_told(d, &frame))?;
+            Some(axes.into_iter().map(move |axis| (axis, origin.clone())))
+        })
+        .flatten()
+        .collect();
+    for declaration in declarations {
+        let Statement::Is { what, .. } = &mut declaration.statement else {
+            continue;
+        };
+        let pointless = what.slots.iter().all(|(slot, _)| *slot != Slot::Through);
+        if what.head != MOMENT_OF_INERTIA || !pointless {
+            continue;
+        }
+        for (_, about) in what
+            .slots
+            .iter_mut()
+            .filter(|(slot, _)| *slot == Slot::About)
+        {
+            let mut own = axes.iter().filter(|(axis, _)| axis == about);
+            if let (Some((axis, origin)), None) = (own.next(), own.next()) {
+                let slots = vec![(Slot::Through, origin.clone()), (Slot::Along, axis.clone())];
+                *about = Term::Phrase(Box::new(NounPhrase::new("axis", slots)));
+            }
+        }
+    }
+}
+
+/// "x, y and z are the axes of B"
+fn axes_of(statement: &Statement) -> Option<(Vec<Term>, Term)> {
+    match statement {
+        Statement::Is { subjects, what } if what.head == "axes" => {
+            Some((subjects.clone(), what.slot(Slot::Of)?.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// "O is the origin of B"
+fn origin_told(declaration: &Declaration, frame: &Term) -> Option<Term> {
+    match &declaration.statement {
+        Statement::Is { subjects, what } if frame_of(what) == name(frame) => {
+            let told = declaration.extent == Extent::Document && name(frame).is_some();
+            subjects.first().filter(|_| told).cloned()
+        }
+        _ => None,
+    }
 }

@@ -1,13 +1,19 @@
-//! "The mass centre of the rod lies at the distance `$l$` from O along e": the mass centre gets a name, to be placed by that.
+//! "The mass centre of the rod lies at the distance `$l$` from O along e": the mass centre gets a name, to be placed by that; so
+//! does the centre of a uniform shape that is the same point.
 
+use super::centres::MIDDLES;
 use super::heads::MASS_CENTRE;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::traits::{
+    Trait::{OneSided, Shape},
+    has,
+};
 
 /// Names the mass centres that sentences place.
 pub(crate) fn name_placed_centres(declarations: &mut Vec<Declaration>) {
     let mut told: Vec<Declaration> = vec![];
     for at in 0..declarations.len() {
-        let Some(body) = placed_centre(&declarations[at].statement).cloned() else {
+        let Some(body) = placed_centre(&declarations[at].statement, declarations).cloned() else {
             continue;
         };
         let all = declarations.iter().chain(&told);
@@ -43,16 +49,30 @@ fn new_name(declarations: &[Declaration], known: usize) -> String {
 }
 
 /// The body whose mass centre a sentence places.
-fn placed_centre(statement: &Statement) -> Option<&Term> {
+fn placed_centre<'d>(statement: &'d Statement, declarations: &[Declaration]) -> Option<&'d Term> {
     let (subjects, slots) = statement.does("lie").or_else(|| statement.does("place"))?;
     let [Term::Phrase(centre)] = subjects else {
         return None;
     };
     let placed = slots.iter().any(|(slot, _)| *slot == Slot::From);
     match centre.slots.as_slice() {
-        [(Slot::Of, body)] if centre.head == MASS_CENTRE && placed => Some(body),
+        [(Slot::Of, body)] if placed => {
+            let middle = MIDDLES.contains(&centre.head) && is_even(body, declarations);
+            (centre.head == MASS_CENTRE || middle).then_some(body)
+        }
         _ => None,
     }
+}
+
+/// Whether a body is a uniform shape whose mass centre is in its middle.
+fn is_even(body: &Term, declarations: &[Declaration]) -> bool {
+    declarations.iter().any(|d| match &d.statement {
+        Statement::Is { subjects, what } => {
+            let shape = has(what.head, Shape) && !has(what.head, OneSided);
+            shape && what.is("uniform") && subjects.contains(body)
+        }
+        _ => false,
+    })
 }
 
 /// The name that a sentence gives the mass centre of a body.

@@ -17,7 +17,7 @@ use super::corners::place_corners;
 use super::counted::{lay_in_turn, number_counted, part_first};
 use super::directed_loads::direct_loads;
 use super::disturbed::tell_disturbed;
-use super::element_places::place_elements;
+use super::element_places::{place_elements, tell_places_of_particles};
 use super::ends_by_names::end_by_names;
 use super::entries::{tell_entries, tell_parts};
 use super::family_loads::tell_loads_of_families;
@@ -54,7 +54,7 @@ use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
-use super::origins::name_origins;
+use super::origins::{name_origins, take_axes_through_origins};
 use super::oscillations::name_oscillations;
 use super::own_notation::tell_own_notation;
 use super::owners::{give_to_bodies, say_of_loads};
@@ -153,6 +153,7 @@ fn name_things(
     name_axes_by_number(&mut declarations);
     tell_coordinates(&mut declarations, macros);
     name_origins(&mut declarations);
+    take_axes_through_origins(&mut declarations);
     tell_frames_of_parts(&mut declarations);
     tell_parallel_frames(&mut declarations);
     part_indexed(&mut declarations, macros);
@@ -201,6 +202,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
 fn count_members(declarations: &mut Vec<Declaration>) {
     name_members(declarations);
     place_elements(declarations);
+    tell_places_of_particles(declarations);
     number_counted(declarations);
     fix_particles(declarations);
     lay_in_turn(declarations);

@@ -1,11 +1,13 @@
 //! What a sentence says: as it stands, in plainer words, in another order, or parted where it joins clauses.
 
 use super::anaphora::{with_it_inside, with_its};
+use super::asides::asides_apart;
 use super::clause::Said;
 use super::ellipsis::{joint_weakness, parted_at};
 use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
 use super::load_clauses::loads_apart;
+use super::placeholders::with_letter_inside;
 use super::reorder::{
     axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
     without_brackets, without_ranges,
@@ -16,7 +18,7 @@ use super::statement::Misread;
 use super::told_apart::told_apart;
 use super::turn_clauses::{turns_apart, turns_named};
 use super::values_at_which::value_at_which;
-use super::words::Token;
+use super::words::{Kind, Token};
 use std::collections::BTreeSet;
 
 /// A sentence of more words is not parted.
@@ -42,16 +44,51 @@ struct Way {
     stuck: Stuck,
 }
 
-/// What a sentence says. The ways to say it are tried from the one on of which the grammar leaves the fewest words.
+/// A sentence has so many asides in each other at most.
+const DEEPEST: usize = 3;
+
+/// What a sentence says as it stands, or with what it says aside as sentences of their own.
 pub(crate) fn understood(
     tokens: &[Token],
     lexicon: &Lexicon,
     strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Stuck>,
 ) -> Result<Vec<Said>, Misread> {
-    let said = said_first(tokens);
+    understood_apart(tokens, DEEPEST, lexicon, strictly)
+}
+
+fn understood_apart(
+    tokens: &[Token],
+    deep: usize,
+    lexicon: &Lexicon,
+    strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Stuck>,
+) -> Result<Vec<Said>, Misread> {
+    let clauses = |way: &[Token]| {
+        let clauses = way.split(|t| t.kind == Kind::Semicolon);
+        let said = clauses.map(|clause| understood_apart(clause, deep - 1, lexicon, strictly));
+        said.collect::<Result<Vec<_>, _>>().ok()
+    };
+    let apart = || {
+        let ways = match deep {
+            0 => vec![],
+            _ => asides_apart(tokens, lexicon),
+        };
+        let said = ways.iter().find_map(|way| clauses(way));
+        said.map(|said| said.concat())
+    };
+    understood_whole(tokens, lexicon, strictly, apart)
+}
+
+/// What a sentence says. The ways to say it are tried from the one on of which the grammar leaves the fewest words.
+fn understood_whole(
+    tokens: &[Token],
+    lexicon: &Lexicon,
+    strictly: &impl Fn(&[Token]) -> Result<Vec<Said>, Stuck>,
+    apart: impl Fn() -> Option<Vec<Said>>,
+) -> Result<Vec<Said>, Misread> {
+    let said = said_first(tokens).or_else(|| with_letter_inside(tokens));
     let tokens = said.as_deref().unwrap_or(tokens);
-    let apart = loads_apart(tokens, lexicon).or_else(|| turns_named(tokens));
-    let tokens = apart.as_deref().unwrap_or(tokens);
+    let told = loads_apart(tokens, lexicon).or_else(|| turns_named(tokens));
+    let tokens = told.as_deref().unwrap_or(tokens);
     let first = match strictly(tokens) {
         Ok(said) => return Ok(said),
         Err(stuck) => stuck.error,
@@ -62,7 +99,7 @@ pub(crate) fn understood(
         return Ok(said);
     }
     if tokens.len() > LONGEST_JOINED {
-        return Err(first);
+        return apart().ok_or(first);
     }
     let told = value_at_which(tokens);
     let tokens = told.as_deref().unwrap_or(tokens);
@@ -77,6 +114,9 @@ pub(crate) fn understood(
         Ok(said) => return Ok(said),
         Err(ways) => ways,
     };
+    if let Some(said) = apart() {
+        return Ok(said);
+    }
     for mut now in ways {
         let mut left = MOST_PARTINGS;
         loop {

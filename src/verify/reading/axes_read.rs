@@ -213,13 +213,30 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         }
         let axis = self.number_of_axis(subject).unwrap_or(2);
+        let own = self.axis_of_frame(subject);
+        let own = own.filter(|&(frame, _)| self.is_kept_in(frame, ground));
+        let (frame, axis) = own.unwrap_or((ground, axis));
         self.bearings.vertical = Some(Vertical {
-            frame: ground,
+            frame,
             axis,
             points_down: what.is("downward"),
         });
-        self.name_axis(subject, ground, axis, declaration);
-        self.name_axis_besides(subject, (ground, axis), declaration);
+        self.name_axis(subject, frame, axis, declaration);
+        self.name_axis_besides(subject, (frame, axis), declaration);
+    }
+
+    /// Whether a sentence says that a frame is fixed in another one, in which its axes may lie in any way.
+    fn is_kept_in(&self, frame: FrameId, other: FrameId) -> bool {
+        let fixed = |what: &NounPhrase| {
+            what.all(Slot::FixedIn)
+                .any(|kept| self.frame(kept) == Some(other))
+        };
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "frame" && fixed(what) => {
+                subjects.iter().any(|s| self.frame(s) == Some(frame))
+            }
+            _ => false,
+        })
     }
 
     /// "z is the upward vertical": in formulas z is a number, but where only its unit vector fits.

@@ -8,7 +8,7 @@ use crate::verify::model::system::{Axis, FrameId, Turn};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::contact_read::CONTACT_POINT;
 use crate::verify::reading::frames_read::Said;
-use crate::verify::reading::names::{EULER_ANGLES, along_of, name_of, told};
+use crate::verify::reading::names::{EULER_ANGLES, along_of, is_letter, name_of, told};
 use crate::verify::term::value::{Basis, Value};
 
 impl Builder<'_> {
@@ -189,11 +189,26 @@ impl Builder<'_> {
         if others.any(|d| self.relates_axes(d, frame, relative)) {
             return None;
         }
+        // How a frame "is turned" tells where it is: the axis of that may be another one at another time.
+        let placed = said.declaration.text.contains("turned");
+        if placed && self.may_move(about) {
+            return None;
+        }
         let anchor = self.reading.system.anchor(frame);
         let along = self.direction(about, said.declaration, Some(anchor))?;
         let work = self.reading.system.work;
         let along = mechanics::apply(&self.system().rotation(anchor, work), &along);
         Some(Turn::About(Box::new(along), Box::new(angle.clone())))
+    }
+
+    /// Whether a direction is a letter of which no sentence says where it is fixed or along what it is.
+    fn may_move(&self, about: &Term) -> bool {
+        match about {
+            Term::Formula(letter) if is_letter(letter) => {
+                self.said_fixed(letter).is_none() && self.directed_elsewhere(letter).is_none()
+            }
+            _ => false,
+        }
     }
 
     /// A turn that holds for a part of the document: ω is along the axis, with the rate that is told.
