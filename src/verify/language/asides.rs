@@ -9,7 +9,7 @@ use super::named_things::{
 };
 use super::reader::{ARTICLES, COPULAS};
 use super::rewrite::put_in;
-use super::sentence_parts::{begins_with_verb, clause, nouns_end, preposition};
+use super::sentence_parts::{begins_with_verb, clause, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
 
 /// So many ways to tell the asides of a sentence are tried at most.
@@ -228,7 +228,7 @@ impl Aside<'_> {
             let indefinite = rest
                 .first()
                 .is_some_and(|t| matches!(t.lower.as_str(), "a" | "an"));
-            let letter = subject.iter().all(|t| t.kind == Kind::Formula);
+            let letter = subject.iter().all(|t| t.kind == Kind::Formula || joins(t));
             let one = !rest
                 .iter()
                 .skip(1)
