@@ -108,7 +108,7 @@ impl Reader<'_> {
                 return self.lines();
             }
             if self.take_any(&["cell", "cells"]) {
-                return self.cells_or_lines();
+                return Ok(vec![Extent::Cells(self.cells()?)]);
             }
             if EQUATIONS.contains(&self.word()) && self.opens(1) {
                 self.at += 1;

@@ -107,7 +107,6 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
     builder.read_candidates();
     builder.name_axes_by_custom();
     builder.say_unheard();
-    builder.say_makeup_unheard();
     builder.widen_unused();
     builder.connect_unused(&conditional);
     builder.say_what_unused_want(&wants);

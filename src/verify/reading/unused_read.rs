@@ -121,6 +121,7 @@ impl Builder<'_> {
             }
         }
         self.say_unbound();
+        self.say_makeup_unheard();
     }
 
     /// Whether the model moves things as a sentence says that they move.
