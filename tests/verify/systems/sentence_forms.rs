@@ -69,7 +69,6 @@ The system consists of particles, which are numbered by $k$.
 Particle $k$ has the mass $m_k$ and is placed from O by $\\mathbf a_k$.
 G is the mass centre of the system, and its position from O is $\\mathbf c$.
 $M$ is the mass of the system.
-The internal forces between two particles are opposite and act along the line joining them.
 ";
     let text = r"
 $$ M\mathbf c=\sum_k m_k\mathbf a_k $$
