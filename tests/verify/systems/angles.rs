@@ -191,7 +191,7 @@ The weight, the moment of the motor and a force at O are the only loads on the b
 ";
     let text = r"
 $$ \sin q=1 $$
-$$ \cos q=0 $$
+$$ \cos^2 q=0 $$
 $$ M=m g a $$
 $$ M=-m g a $$
 $$ \dot q=0 $$
