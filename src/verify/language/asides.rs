@@ -108,6 +108,11 @@ fn is_said(before: &[Token]) -> bool {
         .is_some_and(|word| COPULAS.contains(&word) || JOINTS.contains(&word))
 }
 
+/// What is said of quantities and of no other things.
+const OF_QUANTITIES: [&str; 6] = [
+    "constant", "negative", "nonzero", "positive", "small", "zero",
+];
+
 /// Words behind which a participle goes on from a verb.
 const JOINTS: [&str; 9] = [
     "and", "or", "not", "be", "been", "has", "have", "both", "each",
@@ -236,6 +241,9 @@ impl Aside<'_> {
             if is && !letter && (indefinite && one || !self.set_off) {
                 return vec![definite(subject, lexicon)];
             }
+            if is && letter && self.tells_how_a_quantity_is(rest) {
+                return vec![subject.to_vec()];
+            }
             things.extend(named_last(rest, lexicon));
             things.extend(with_owner(rest));
             if is && !letter {
@@ -254,6 +262,20 @@ impl Aside<'_> {
         // "the force of the floor, which is normal to the floor": an aside does not name what it is said of.
         things.retain(|thing| !stands_in(thing, self.inside));
         things
+    }
+
+    /// "`$n$` is the rate of `$q$`, which is constant": of two quantities the one that the sentence is about, and no point is
+    /// constant.
+    fn tells_how_a_quantity_is(&self, rest: &[Token]) -> bool {
+        let how = |t: &Token| OF_QUANTITIES.contains(&t.lower.as_str());
+        let hangs = match rest {
+            [.., before, last] => {
+                let inside = ["of", "along", "about", "on", "in"].contains(&before.lower.as_str());
+                inside && (last.kind == Kind::Formula || is_name(last))
+            }
+            _ => false,
+        };
+        hangs && self.inside.iter().any(how)
     }
 
     /// A force acts, and not the body that it is told of.
