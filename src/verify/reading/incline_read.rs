@@ -14,14 +14,14 @@ use crate::verify::reading::names::{letter_of, name_of, opposite};
 pub(super) struct Lie {
     /// The axis along which it falls, and whether that axis points down.
     falls: Option<(usize, bool)>,
-    /// The axis that stands on it.
-    normal: Option<usize>,
+    /// The axis that stands on it, and whether that axis points out of it.
+    normal: Option<(usize, bool)>,
 }
 
 impl Lie {
     /// The number of the axis that stands on the plane.
     pub(super) fn normal(self) -> Option<usize> {
-        self.normal
+        self.normal.map(|(axis, _)| axis)
     }
 }
 
@@ -57,7 +57,11 @@ impl Builder<'_> {
         let free: Vec<usize> = (1..3).filter(|axis| Some(*axis) != down).collect();
         let normal = self.axis_that_is(NORMAL, &free);
         let normal = normal.filter(|normal| Some(*normal) != down);
-        self.bearings.lie = Lie { falls, normal };
+        let out = !self.is_downward_normal();
+        self.bearings.lie = Lie {
+            falls,
+            normal: normal.map(|normal| (normal, out)),
+        };
         let declarations = self.declarations;
         for declaration in declarations {
             self.read_turned_vertical(declaration);
@@ -66,9 +70,12 @@ impl Builder<'_> {
         if let (Some((angle, declaration)), Some((down, points_down)), Some(normal)) =
             (told, falls, normal)
         {
-            let forward = (normal + 3 - down) % 3 == 1;
-            let vertical = (normal, 3 - down - normal, forward == points_down);
-            self.turn_vertical(vertical, &angle.clone(), declaration);
+            let forward = ((normal + 3 - down) % 3 == 1) == points_down;
+            let about = 3 - down - normal;
+            self.turn_vertical((normal, about, forward == out), &angle.clone(), declaration);
+            if let Some(vertical) = &mut self.bearings.vertical {
+                vertical.points_down = !out;
+            }
         }
         if self.bearings.vertical.is_none()
             && let Some(axis) = normal
@@ -78,7 +85,7 @@ impl Builder<'_> {
             self.bearings.vertical = Some(Vertical {
                 frame: self.reading.system.ground,
                 axis,
-                points_down: self.is_downward_normal(),
+                points_down: !out,
             });
         }
     }
@@ -178,9 +185,10 @@ impl Builder<'_> {
 
     /// The normal of the inclined plane.
     pub(super) fn normal_of_incline(&mut self) -> Option<Vector> {
-        let normal = self.bearings.lie.normal?;
+        let (normal, out) = self.bearings.lie.normal?;
         let ground = self.reading.system.ground;
-        Some(self.system().axis(ground, normal))
+        let axis = self.system().axis(ground, normal);
+        Some(if out { axis } else { -axis })
     }
 
     /// Whether the vertical is told by how a plane lies.
@@ -213,7 +221,7 @@ impl Builder<'_> {
         let (axis, along) = match (phrase.head, self.bearings.lie) {
             (DOWNHILL, Lie { falls, .. }) => falls?,
             (UPHILL, Lie { falls, .. }) => falls.map(|(axis, down)| (axis, !down))?,
-            (NORMAL, Lie { normal, .. }) => (normal?, true),
+            (NORMAL, Lie { normal, .. }) => normal?,
             _ => return None,
         };
         let axis = self.system().axis(ground, axis);

@@ -41,3 +41,38 @@ $$ \dot v = \frac{1}{2} g\sin\alpha $$
 ";
     assert_eq!(judged(ROLLER, text), "rrrr");
 }
+
+/// An axis that points into the slope: the weight and the force of the slope keep their signs.
+#[test]
+fn the_normal_may_point_into_the_slope() {
+    let sentences = r"
+S is an inertial frame.
+$i$, $j$, $k$ are the axes of S.
+The slope is a plane fixed in S.
+$i$ points down the slope, and $j$ is perpendicular to the slope and points into it.
+$b$ is the angle of the slope with the horizontal.
+The roller is a uniform solid cylinder of mass $m$ and radius $r$.
+G is the mass centre of the roller.
+The axis of the roller is parallel to $k$.
+C is the point where the roller touches the slope.
+C is placed from G by $r j$.
+The roller rolls on the slope at C without slipping.
+$x$ is the coordinate of G along $i$.
+$g$ is the acceleration of gravity.
+The weight and the force of the slope at C are the only loads on the roller.
+The force of the slope on the roller at C is $-F i-N j$.
+";
+    let text = r"
+$$ m\ddot x=m g\sin b-F $$
+$$ N=m g\cos b $$
+$$ N=-m g\cos b $$
+$$ \ddot x=\tfrac23 g\sin b $$
+$$ \ddot x=-\tfrac23 g\sin b $$
+";
+    assert_eq!(judged(sentences, text), "pprpr");
+    let outward = sentences
+        .replace("points into it", "points away from it")
+        .replace("$r j$", "$-r j$")
+        .replace("$-F i-N j$", "$-F i+N j$");
+    assert_eq!(judged(&outward, text), "pprpr");
+}
