@@ -264,18 +264,18 @@ impl Aside<'_> {
         things
     }
 
-    /// "`$n$` is the rate of `$q$`, which is constant": of two quantities the one that the sentence is about, and no point is
+    /// "`$n$` is the rate of `$q$`, which is constant": of two quantities the one that the sentence is about, and no body is
     /// constant.
     fn tells_how_a_quantity_is(&self, rest: &[Token]) -> bool {
         let how = |t: &Token| OF_QUANTITIES.contains(&t.lower.as_str());
-        let hangs = match rest {
+        let size = match rest {
             [.., before, last] => {
-                let inside = ["of", "along", "about", "on", "in"].contains(&before.lower.as_str());
-                inside && (last.kind == Kind::Formula || is_name(last))
+                let hangs = ["of", "along", "about", "on", "in"].contains(&before.lower.as_str());
+                last.kind == Kind::Formula && !hangs
             }
             _ => false,
         };
-        hangs && self.inside.iter().any(how)
+        !size && self.inside.iter().any(how)
     }
 
     /// A force acts, and not the body that it is told of.

@@ -267,7 +267,7 @@ pub(crate) const OF_BEARINGS: [&str; 10] = [
 /// Words of sentences about loads.
 pub(crate) const OF_LOADS: [&str; 6] = ["spring", "force", "forces", "load", "loads", "exerts"];
 /// Words of sentences that tell what bodies are made up of.
-pub(crate) const OF_PARTS: [&str; 12] = [
+pub(crate) const OF_PARTS: [&str; 11] = [
     "assembly",
     "carries",
     "composed",
@@ -276,7 +276,6 @@ pub(crate) const OF_PARTS: [&str; 12] = [
     "consists",
     "contains",
     "includes",
-    "particle",
     "particles",
     "parts",
     "system",

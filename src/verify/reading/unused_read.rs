@@ -65,6 +65,12 @@ impl Builder<'_> {
     pub(super) fn say_unheard(&mut self) {
         self.say_instants_unheard();
         self.say_springs_unread();
+        self.say_statements_unheard();
+        self.say_unbound();
+        self.say_makeup_unheard();
+    }
+
+    fn say_statements_unheard(&mut self) {
         for declaration in self.declarations {
             let heard = match &declaration.statement {
                 Statement::Does {
@@ -120,8 +126,6 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
-        self.say_unbound();
-        self.say_makeup_unheard();
     }
 
     /// Whether the model moves things as a sentence says that they move.

@@ -117,7 +117,7 @@ $$ v = r w\times z $$
 }
 
 #[test]
-fn a_plane_that_moves_in_an_unknown_way_carries_nothing() {
+fn a_plane_that_moves_carries_what_rolls_on_it() {
     let sentences = r"
 N is an inertial frame.
 $x, y, z$ are the axes of N.
@@ -132,7 +132,7 @@ $v$ is the velocity of G relative to N.
     let text = r"
 $$ v = r w\times z $$
 ";
-    assert_eq!(judged(sentences, text), "u");
+    assert_eq!(judged(sentences, text), "r");
 }
 
 #[test]
