@@ -9,7 +9,7 @@ use super::named_things::{
 };
 use super::reader::{ARTICLES, COPULAS};
 use super::rewrite::put_in;
-use super::sentence_parts::{begins_with_verb, clause, joins, nouns_end, preposition};
+use super::sentence_parts::{HELD, begins_with_verb, clause, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
 
 /// So many ways to tell the asides of a sentence are tried at most.
@@ -88,7 +88,9 @@ fn aside<'t>(now: &'t [Token], at: usize, lexicon: &Lexicon) -> Option<Aside<'t>
         "whose" => of(Going::Whose, 1),
         "a" | "an" if set_off => of(Going::Apposed, 0),
         "the" if set_off && clause(before, lexicon).is_none() => of(Going::Apposed, 0),
-        done if DONE.contains(&done) && !is_said(before) => of(Going::Done, 0),
+        done if (HELD.contains(&done) || DONE.contains(&done)) && !is_said(before) => {
+            of(Going::Done, 0)
+        }
         _ => {
             let length = preposition(&now[at..], lexicon)?;
             (word(at + length) == "which").then(|| of(Going::ByPreposition, length))?
@@ -118,19 +120,8 @@ const JOINTS: [&str; 9] = [
     "and", "or", "not", "be", "been", "has", "have", "both", "each",
 ];
 
-/// What is done to things, as it is said behind their nouns.
-const DONE: [&str; 22] = [
-    "hinged",
-    "pinned",
-    "pivoted",
-    "suspended",
-    "hung",
-    "mounted",
-    "attached",
-    "carried",
-    "held",
-    "placed",
-    "connected",
+/// What else is done to things and said behind their nouns, and the adverbs of it.
+const DONE: [&str; 11] = [
     "supported",
     "welded",
     "joined",

@@ -7,7 +7,7 @@ use super::named_things::{is_way_of_load, stands_in, without_comma};
 use super::reader::{ARTICLES, COPULAS};
 use super::reorder::last_named;
 use super::rewrite::put_in;
-use super::sentence_parts::{clause, is_list, joins, nouns_end, preposition};
+use super::sentence_parts::{HELD, clause, is_list, joins, nouns_end, preposition};
 use super::words::{Kind, Token};
 
 /// What things do and letters do not.
@@ -154,23 +154,8 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
         .collect()
 }
 
-/// What is done to bodies, and not to the sizes that are told of them.
-const JOINED: [&str; 14] = [
-    "hinged",
-    "pinned",
-    "pivoted",
-    "suspended",
-    "hung",
-    "fixed",
-    "mounted",
-    "attached",
-    "carried",
-    "held",
-    "placed",
-    "connected",
-    "released",
-    "symmetric",
-];
+/// What else is said of bodies, and not of the sizes that are told of them.
+const JOINED: [&str; 3] = ["fixed", "released", "symmetric"];
 
 /// "is hinged at O", "are rigidly attached"
 fn is_joined(rest: &[Token]) -> bool {
@@ -179,7 +164,7 @@ fn is_joined(rest: &[Token]) -> bool {
     copula
         && words
             .find(|word| !word.ends_with("ly"))
-            .is_some_and(|word| JOINED.contains(&word))
+            .is_some_and(|word| HELD.contains(&word) || JOINED.contains(&word))
 }
 
 /// "of mass `$m$` and length `$l$`": the letter at the end is that of a size.

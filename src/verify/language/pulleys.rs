@@ -193,6 +193,20 @@ fn hanging(string: &Term, declarations: &[Declaration]) -> Option<Vec<(Term, Str
 /// Whether something else than its weight and the string may act on a thing, or it is said how it moves.
 fn is_held_otherwise(declaration: &Declaration, thing: &Term, string: &Term) -> bool {
     match &declaration.statement {
+        Statement::Premise(list) => list.slot(Slot::Of) == Some(thing),
+        statement => is_moved_or_loaded(statement, thing, string, &[Slot::Upon, Slot::At]),
+    }
+}
+
+/// Whether a sentence moves a thing in another way than that it hangs, or has a load in one of some slots of it that is none of
+/// the string.
+pub(super) fn is_moved_or_loaded(
+    statement: &Statement,
+    thing: &Term,
+    string: &Term,
+    loaded: &[Slot],
+) -> bool {
+    match statement {
         Statement::Does {
             subjects,
             verb,
@@ -203,12 +217,8 @@ fn is_held_otherwise(declaration: &Declaration, thing: &Term, string: &Term) -> 
         }
         Statement::Is { what, .. } => {
             let other = is_load(what.head) && what.slot(Slot::Of) != Some(string);
-            other
-                && [Slot::Upon, Slot::At]
-                    .iter()
-                    .any(|slot| what.slot(*slot) == Some(thing))
+            other && loaded.iter().any(|slot| what.slot(*slot) == Some(thing))
         }
-        Statement::Premise(list) => list.slot(Slot::Of) == Some(thing),
         _ => false,
     }
 }

@@ -5,7 +5,7 @@ use super::heads::{MASS_CENTRE, TOWARDS, VERTICAL, WEIGHT};
 use super::hung_on_pulleys::{as_particle, from_the_start, statements, turn_by_angle};
 use super::is_load;
 use super::kinds::name;
-use super::pulleys::TENSION;
+use super::pulleys::{TENSION, is_moved_or_loaded};
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
 use super::told_sizes::told_size;
 use super::turned_lines::{Direction, direction};
@@ -112,13 +112,7 @@ fn upward(declarations: &[Declaration]) -> Option<Direction> {
 
 /// A direction by the name of its axis.
 fn written(way: &Direction, declarations: &[Declaration]) -> Option<String> {
-    let axes = declarations.iter().find_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "axes" => {
-            (what.slot(Slot::Of) == Some(&way.frame)).then_some(subjects)
-        }
-        _ => None,
-    })?;
-    let name = name(axes.get(way.number - 1)?)?;
+    let name = way.axis_name(declarations)?;
     Some(if way.reversed {
         format!("-{name}")
     } else {
@@ -234,20 +228,8 @@ fn tension_at(thing: &Term, string: &Term, declarations: &[Declaration]) -> Opti
 /// Whether something else than its weight and the string may act on a thing, or it is said where it is.
 fn is_held(declaration: &Declaration, thing: &Term, string: &Term) -> bool {
     match &declaration.statement {
-        Statement::Does {
-            subjects,
-            verb,
-            slots,
-        } => {
-            let moves = subjects.contains(thing) && *verb != "hang";
-            moves || *verb == "act" && slots.iter().any(|(_, term)| term == thing)
-        }
-        Statement::Is { what, .. } => {
-            let other = is_load(what.head) && what.slot(Slot::Of) != Some(string);
-            other && what.slot(Slot::Upon) == Some(thing)
-        }
         Statement::Premise(list) => concerns(list, thing) && !lists_weight_and_string(list, string),
-        _ => false,
+        statement => is_moved_or_loaded(statement, thing, string, &[Slot::Upon]),
     }
 }
 

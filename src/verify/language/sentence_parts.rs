@@ -9,6 +9,21 @@ const JOINS: [&str; 8] = [
     "and", "while", "whereas", "where", "but", "with", "likewise", "then",
 ];
 
+/// What is done to bodies that something else carries.
+pub(super) const HELD: [&str; 11] = [
+    "hinged",
+    "pinned",
+    "pivoted",
+    "suspended",
+    "hung",
+    "mounted",
+    "attached",
+    "carried",
+    "held",
+    "placed",
+    "connected",
+];
+
 /// Subject, verb, and the rest of a clause.
 pub(super) fn clause<'t>(
     tokens: &'t [Token],

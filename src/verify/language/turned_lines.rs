@@ -23,6 +23,19 @@ pub(super) struct Direction {
     pub(super) reversed: bool,
 }
 
+impl Direction {
+    /// The name of its axis, where a sentence names those of its frame.
+    pub(super) fn axis_name(&self, declarations: &[Declaration]) -> Option<String> {
+        let axes = declarations.iter().find_map(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == "axes" => {
+                (what.slot(Slot::Of) == Some(&self.frame)).then_some(subjects)
+            }
+            _ => None,
+        })?;
+        name(axes.get(self.number - 1)?)
+    }
+}
+
 /// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_by_nodes(declarations, macros);

@@ -151,13 +151,7 @@ fn opposite(side: &Direction, all: &[Declaration], macros: &Macros) -> Option<Te
     if side.reversed {
         return Some(axis(side.number, Some(&side.frame)));
     }
-    let axes = all.iter().find_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "axes" => {
-            (what.slot(Slot::Of) == Some(&side.frame)).then_some(subjects)
-        }
-        _ => None,
-    })?;
-    let name = name(axes.get(side.number - 1)?)?;
+    let name = side.axis_name(all)?;
     let against = formula(&format!("-{name}"), false, macros)?;
     Some(Term::Formula(against))
 }
