@@ -27,6 +27,7 @@ mod axes_by_number;
 mod axes_by_vectors;
 mod bodies;
 mod body_axes;
+mod body_words;
 mod both;
 mod capital_names;
 pub(crate) mod centres;

@@ -264,6 +264,9 @@ fn a_body_must_be_introduced_and_no_slip() {
         "The kite turns relative to E.",
         "P is fixed in the left ski.",
         "The mass of kite 2 is $m$.",
+        "D is a frame fixed in the mount.",
+        "The movable pulley is massless.",
+        "The kite exerts the force $F$ on the rod at A.",
     ];
     for sentence in said {
         assert!(read(sentence).1.is_empty(), "{sentence}");

@@ -94,7 +94,10 @@ fn is_constant(atoms: &Atoms, variable: Variable) -> bool {
 fn is_free_constant(atoms: &Atoms, variable: Variable) -> bool {
     let atom = atoms.atom(variable);
     atom.nature == Nature::Quantity
-        && matches!(atom.key.space, Space::Model | Space::Number)
+        && matches!(
+            atom.key.space,
+            Space::Model | Space::Number | Space::UntoldProduct(_)
+        )
         && atom.law.is_none()
         && is_constant(atoms, variable)
 }

@@ -1,5 +1,6 @@
 //! Bodies that the lexicon does not have: a text introduces them by what it says of them.
 
+use super::body_words::{APART, BEFORE, ENTIRE, OF_BODIES, may_name};
 use super::lexicon::{Class, Inflection, Lexicon};
 use super::reader::{ARTICLES, is_glue};
 use super::statement::Slot;
@@ -12,104 +13,6 @@ pub(crate) const LONGEST_NAME: usize = 4;
 
 /// A text introduces so many bodies.
 const MOST_BODIES: usize = 300;
-
-/// Words before the name of a body, beside the nouns of which only bodies have something.
-const BEFORE: [&str; 27] = [
-    "mass of",
-    "masses of",
-    "attitude of",
-    "fixed in",
-    "fixed to",
-    "attached to",
-    "at rest in",
-    "relative to the",
-    "consists of",
-    "consist of",
-    "comprises",
-    "comprise",
-    "numbers",
-    "acts on",
-    "act on",
-    "rolls on",
-    "slides on",
-    "rests on",
-    "hinged to",
-    "touches",
-    "point where",
-    "velocity of",
-    "speed of",
-    "angle of",
-    "lagrangian of",
-    "strikes",
-    "leaves",
-];
-
-/// Words by which two bodies of one kind are told apart: they are parts of their names.
-pub(super) const APART: [&str; 23] = [
-    "upper", "lower", "inner", "outer", "front", "rear", "back", "left", "right", "top", "bottom",
-    "middle", "driving", "driven", "fore", "aft", "near", "far", "leading", "trailing", "main",
-    "base", "swing",
-];
-
-/// Words that say of a body that nothing of it is left out.
-const ENTIRE: [&str; 3] = ["whole", "entire", "complete"];
-
-/// Words that count, point, compare or say how, and never name a body.
-const NO_NAMES: [&str; 48] = [
-    "left-handed",
-    "non-orthogonal",
-    "oblique",
-    "skew",
-    "they",
-    "them",
-    "both",
-    "all",
-    "some",
-    "none",
-    "every",
-    "either",
-    "neither",
-    "former",
-    "latter",
-    "first",
-    "second",
-    "third",
-    "next",
-    "other",
-    "others",
-    "another",
-    "such",
-    "this",
-    "that",
-    "these",
-    "those",
-    "most",
-    "least",
-    "not",
-    "never",
-    "always",
-    "only",
-    "almost",
-    "too",
-    "then",
-    "per",
-    "twice",
-    "half",
-    "mean",
-    "average",
-    "own",
-    "opposite",
-    "momentary",
-    "about",
-    "quite",
-    "rather",
-    "very",
-];
-
-/// Whether a word may be one of the name of a body: adverbs are not.
-pub(crate) fn may_name(word: &str) -> bool {
-    !NO_NAMES.contains(&word) && !word.ends_with("ly")
-}
 
 /// The bodies that some sentences introduce, by their names in lower case.
 pub(crate) fn introduced<'a>(
@@ -199,7 +102,7 @@ fn names(tokens: &[Token], contexts: &[Vec<&str>], lexicon: &Lexicon) -> Vec<Str
             listed(tokens, at, lexicon, &mut names);
         } else if let Some((name, end)) = name(tokens, at, lexicon)
             && begins(tokens, at)
-            && said(&words[past_index(tokens, end)..], lexicon)
+            && said(&name, &words[past_index(tokens, end)..], lexicon)
         {
             names.push(name);
         }
@@ -307,7 +210,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             (unknown, end) = (true, end + 1);
             continue;
         }
-        if known(tokens, end, lexicon) {
+        if known(tokens, end, lexicon) && !is_named_by_verb(&tokens[at..=end], lexicon) {
             let rest: Vec<&str> = tokens[end..]
                 .iter()
                 .take(2)
@@ -331,7 +234,9 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
     let index = next.is_some_and(|t| matches!(t.kind, Kind::Formula | Kind::Plain | Kind::Number));
     let described = next.is_some_and(|next| is_noun_here(next, lexicon));
     let last = tokens.get(end.wrapping_sub(1))?;
-    let body = whole || !known(tokens, end.wrapping_sub(1), lexicon) && last.kind == Kind::Word;
+    let free =
+        !known(tokens, end.wrapping_sub(1), lexicon) || is_named_by_verb(&tokens[at..end], lexicon);
+    let body = whole || free && last.kind == Kind::Word;
     let counted = start > 0 && matches!(tokens[start - 1].kind, Kind::Formula | Kind::Plain);
     let found = unknown && body && !described && (article || index || counted);
     let words: Vec<&str> = tokens
@@ -380,6 +285,20 @@ fn known(tokens: &[Token], at: usize, lexicon: &Lexicon) -> bool {
     lexicon.find(&words, &Class::ALL).is_some()
 }
 
+/// "the mount": behind an article alone a word that is otherwise a verb.
+fn is_named_by_verb(tokens: &[Token], lexicon: &Lexicon) -> bool {
+    let [article, word] = tokens else {
+        return false;
+    };
+    let word = [word.lower.as_str()];
+    let verbs = [Class::Verb, Class::Passive];
+    let verb = lexicon.find(&word, &verbs);
+    let others = Class::ALL.into_iter().filter(|c| !verbs.contains(c));
+    article.lower == "the"
+        && verb.is_some_and(|verb| verb.inflection == Inflection::Base)
+        && lexicon.find(&word, &others.collect::<Vec<_>>()).is_none()
+}
+
 /// Where the name of a member ends: behind its index, and what that counts through in brackets.
 fn past_index(tokens: &[Token], end: usize) -> usize {
     let letter = |t: &Token| matches!(t.kind, Kind::Formula | Kind::Plain | Kind::Number);
@@ -406,13 +325,24 @@ fn begins(tokens: &[Token], at: usize) -> bool {
 }
 
 /// Whether these words say something of a body: that it is a …, or that it moves.
-fn said(words: &[&str], lexicon: &Lexicon) -> bool {
+fn said(name: &str, words: &[&str], lexicon: &Lexicon) -> bool {
     match words {
+        [verb, ..] if OF_BODIES.contains(verb) => true,
         ["is", "a" | "an", ..] | ["is", "at", "rest", ..] | ["is", "fixed", ..] => true,
         ["are", rest @ ..] => lexicon
             .find(rest, &[Class::Adjective, Class::Thing])
             .is_some(),
         ["does" | "do", "not", ..] => true,
+        // "the movable pulley is massless"
+        ["is", rest @ ..] if names_kind(name, lexicon) => {
+            lexicon.find(rest, &[Class::Adjective]).is_some()
+        }
         _ => lexicon.find(words, &[Class::Verb]).is_some(),
     }
+}
+
+/// Whether a name ends with a word for a kind of body.
+fn names_kind(name: &str, lexicon: &Lexicon) -> bool {
+    let last = name.rsplit(' ').next();
+    last.is_some_and(|last| lexicon.find(&[last], &[Class::Thing]).is_some())
 }

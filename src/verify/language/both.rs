@@ -1,6 +1,7 @@
 //! "Both gimbals": the two bodies of a kind that words tell apart. "Each wheel": the one that a letter counts.
 
-use super::bodies::{APART, singular};
+use super::bodies::singular;
+use super::body_words::APART;
 use super::rewrite::put_in;
 use super::words::{Kind, Token};
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,7 +1,7 @@
 //! "The pendulum arm" and "the arm": one body, where no other word stands before the noun; "the wheel assembly" and "the rod
 //! assembly": two.
 
-use super::bodies::APART;
+use super::body_words::APART;
 use super::lexicon::{Class, Lexicon};
 use super::reader::ARTICLES;
 use super::words::{Kind, Token};

@@ -1,6 +1,6 @@
 //! What a noun leaves to the words around it: whose it is, which one, and what is meant by several.
 
-use super::bodies::may_name;
+use super::body_words::may_name;
 use super::lexicon::Class;
 use super::reader::{Read, Reader, is_glue};
 use super::statement::{NounPhrase, Slot, Term};

@@ -51,6 +51,13 @@ pub(crate) fn not_taken_in(line: &str) -> String {
     format!("{line} is taken as given, and nothing was made of it")
 }
 
+/// A line holds on principal axes, of which no sentence tells.
+pub(crate) fn untold_products(body: &str) -> String {
+    format!(
+        "it holds where the products of inertia of {body} are zero, and no sentence tells them: say which axes are principal"
+    )
+}
+
 /// A sum runs up to a letter of which nothing is told.
 pub(crate) fn unknown_bound(bound: &str) -> String {
     format!("no sentence says how far a sum up to `{bound}` runs")

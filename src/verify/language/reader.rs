@@ -1,6 +1,7 @@
 //! Goes along a sentence word by word.
 
-use super::bodies::{LONGEST_NAME, WHOLE, may_name};
+use super::bodies::{LONGEST_NAME, WHOLE};
+use super::body_words::may_name;
 use super::lexicon::{Class, Found, Lexicon};
 use super::statement::{Formula, Misread, NounPhrase, Term};
 use super::words::{Kind, Token, wrong};

@@ -6,6 +6,7 @@
 use crate::algebra::{Fraction, Monomial, Place, Polynomial, Variable};
 use crate::verify::model::blows::Side;
 use crate::verify::model::changes::Changes;
+use crate::verify::model::system::BodyId;
 use crate::verify::model::unplaced::Coordinates;
 use foldhash::HashMap;
 use num_traits::Zero;
@@ -39,6 +40,8 @@ pub(crate) enum Space {
     Number,
     Letter(u16),
     Unknown,
+    /// A product of inertia of this body, whose tensor nobody has told as a whole.
+    UntoldProduct(BodyId),
 }
 
 impl Key {
@@ -211,6 +214,16 @@ impl Atoms {
 
     pub(crate) fn len(&self) -> usize {
         self.list.len()
+    }
+
+    /// What letters of the document tell that are properties of bodies.
+    pub(crate) fn told_properties(&self) -> impl Iterator<Item = Variable> {
+        let moves = |v: &Variable| matches!(self.atom(*v).place, Place::Rate | Place::Acceleration);
+        let letters = self.list.iter();
+        let letters = letters.filter(|atom| matches!(atom.key.space, Space::Letter(_)));
+        let laws = letters.filter_map(|atom| atom.law.as_ref());
+        let told = laws.map(|law| law.value.variables());
+        told.filter(move |told| !told.iter().any(moves)).flatten()
     }
 
     /// All from one on.

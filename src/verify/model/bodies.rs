@@ -2,7 +2,7 @@
 
 use crate::algebra::{Fraction, Place};
 use crate::mechanics;
-use crate::verify::model::atoms::{Key, Motion, fraction};
+use crate::verify::model::atoms::{Key, Motion, Space, fraction};
 use crate::verify::model::system::{Body, BodyId, FrameId, Matrix, PointId, System, Vector};
 use num_traits::Zero;
 
@@ -109,7 +109,7 @@ impl System {
                     0 => "I".to_owned(),
                     _ => format!("I^{{\\text{{{}}}}}", self.bodies[body].name),
                 };
-                self.carried_tensor(&text, frame)
+                self.carried_tensor(&text, body, frame)
             }
         };
         self.bodies[body].inertia = Some(tensor.clone());
@@ -143,11 +143,14 @@ impl System {
     }
 
     /// A symmetric tensor that does not change as seen from a frame.
-    fn carried_tensor(&mut self, text: &str, frame: FrameId) -> Matrix {
-        const NAMES: [[&str; 3]; 3] = [["xx", "xy", "xz"], ["xy", "yy", "yz"], ["xz", "yz", "zz"]];
-        let variables = NAMES.map(|row| {
-            row.map(|name| {
-                let key = Key::new(format!("{text}_{{{name}}}"));
+    fn carried_tensor(&mut self, text: &str, body: BodyId, frame: FrameId) -> Matrix {
+        let variables = ["x", "y", "z"].map(|row| {
+            ["x", "y", "z"].map(|column| {
+                let (first, second) = (row.min(column), row.max(column));
+                let mut key = Key::new(format!("{text}_{{{first}{second}}}"));
+                if row != column {
+                    key.space = Space::UntoldProduct(body);
+                }
                 self.atoms.variable(key, Place::Parameter, Motion::Constant)
             })
         });

@@ -62,7 +62,7 @@ impl Atoms {
         let key = self.atom(variable).key.clone();
         // One text may be a quantity of the model, a number and a letter of which nothing is told.
         let space = match key.space {
-            Space::Model => "",
+            Space::Model | Space::UntoldProduct(_) => "",
             Space::Number => "\\,",
             Space::Letter(_) => "\\;",
             Space::Unknown => "\\:",

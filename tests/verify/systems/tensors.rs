@@ -193,3 +193,40 @@ $I$ is the inertia tensor of the aircraft about G in components on B.
         assert_eq!(judged(&sentences, text), "pr", "{said}");
     }
 }
+
+#[test]
+fn a_line_of_principal_axes_is_open_where_nobody_tells_the_products() {
+    let text = r"
+$$ L = I_x \dot p - (I_y - I_z) q r $$
+$$ L = I_x \dot p + (I_y - I_z) q r $$
+";
+    assert_eq!(judged(AIRCRAFT, text), "ur");
+    let told = format!(
+        "{AIRCRAFT}$J_{{xz}}$ is the product of inertia of the aircraft about C in the axes x and z of B.\nThe other products of inertia are zero.\n"
+    );
+    assert_eq!(judged(&told, text), "rr");
+}
+
+#[test]
+fn a_part_of_which_one_moment_is_told_may_have_others() {
+    let sentences = r"N is an inertial frame.
+The gyroscope consists of the ring and the rotor.
+A is a frame fixed in the ring.
+B is a frame fixed in the rotor.
+$b_1$, $b_2$, $b_3$ are the axes of B.
+A turns relative to N about $n_3$ by the angle $\alpha$.
+$n_1$, $n_2$, $n_3$ are the axes of N.
+B turns relative to A about $b_1$ by the angle $\beta$.
+O is the mass centre of the ring and of the rotor.
+O is fixed in N.
+$K$ is the moment of inertia of the ring about $n_3$.
+$I$, $I$, $J$ are the principal moments of the rotor about O on B.
+$H$ is the angular momentum of the gyroscope about O relative to N.
+";
+    let text = r"
+$$ H\cdot b_1 = I\dot\beta $$
+$$ H\cdot b_1 = J\dot\beta $$
+$$ H\cdot n_3 = (K + I\sin^2\beta + J\cos^2\beta)\dot\alpha $$
+";
+    assert_eq!(judged(sentences, text), "urp");
+}
