@@ -6,6 +6,7 @@ use crate::notation::print::latex;
 use crate::source::Span;
 use crate::verify::declarations::Declared;
 use crate::verify::declared::judgment::{Judgment, judgments};
+use crate::verify::declared::lead::Lead;
 use crate::verify::facts::proof::uses;
 use crate::verify::language::messages::{IN_BOTH_CASES, OPEN_CASE};
 use crate::verify::language::rate_letters::with_rates;
@@ -22,6 +23,7 @@ use crate::verify::verdict::{
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 mod judgment;
+mod lead;
 
 pub(crate) use judgment::Shared;
 
@@ -115,6 +117,7 @@ fn report(
         written: HashMap::new(),
         unwritten: vec![],
         headings: Headings::default(),
+        lead: Lead::default(),
         findings: vec![],
         passed: vec![],
     };
@@ -226,6 +229,7 @@ struct Rows<'a> {
     /// Sides whose letters are not among them yet.
     unwritten: Vec<&'a Node>,
     headings: Headings,
+    lead: Lead,
     findings: Vec<Finding>,
     passed: Vec<Passed>,
 }
@@ -239,6 +243,7 @@ impl<'a> Rows<'a> {
             Item::Formula(formula) => formula.rows.iter().for_each(|row| self.row(row)),
             Item::Prose { .. } | Item::Break | Item::Comment { .. } => {}
         }
+        self.lead.pass(item);
     }
 
     fn row(&mut self, row: &'a Row) {
@@ -277,6 +282,7 @@ impl<'a> Rows<'a> {
             }
             None => finding.reason = Some("no words say that it holds".to_owned()),
         }
+        self.doubt_under_condition(&mut finding);
         // A sentence may say what a writing means that is not read otherwise.
         if finding.verdict == Verdict::Undecided
             && let Some((message, place)) = line.sides.iter().find_map(error_in)

@@ -161,6 +161,7 @@ mod sign;
 mod sizes_aside;
 mod slopes;
 mod spins;
+pub(crate) mod spoken_conditions;
 pub mod statement;
 mod straight_ways;
 mod subjects;

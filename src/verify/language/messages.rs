@@ -58,6 +58,13 @@ pub(crate) fn untold_products(body: &str) -> String {
     )
 }
 
+/// The text puts a condition on a line that is false without it.
+pub(crate) fn under_condition(condition: &str) -> String {
+    format!(
+        "the text puts a condition on it that no sentence declares: \"{condition}\"; say for which lines it holds"
+    )
+}
+
 /// A sum runs up to a letter of which nothing is told.
 pub(crate) fn unknown_bound(bound: &str) -> String {
     format!("no sentence says how far a sum up to `{bound}` runs")

@@ -55,6 +55,13 @@ impl Part {
         own.peek().is_some() && own.all(|d| !d.is_unread())
     }
 
+    /// Whether a sentence is about a part of the document to which a place belongs.
+    pub(crate) fn speaks_of(&self, at: &At) -> bool {
+        let reaches = self.declarations.iter().map(|d| reach_of(&d.extent));
+        let mut parts = reaches.filter(|reach| *reach != Reach::All);
+        parts.any(|reach| reach.covers(at, 0))
+    }
+
     /// A document that speaks of one system.
     pub(crate) fn whole(declarations: &[Declaration]) -> Self {
         Self {

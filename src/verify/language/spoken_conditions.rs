@@ -1,0 +1,59 @@
+//! Words by which running text puts a condition on the formula that stands in its sentence.
+
+/// Words that begin a condition.
+const IF: [&str; 6] = ["if", "when", "whenever", "provided", "suppose", "supposing"];
+
+/// What is said of an instant, a position or a case.
+const WHERE: [&str; 26] = [
+    "at rest",
+    "at equilibrium",
+    "in equilibrium",
+    "at the instant",
+    "at the moment",
+    "at the start",
+    "at the beginning",
+    "at the end",
+    "at the top",
+    "at the bottom",
+    "at the lowest",
+    "at the highest",
+    "at time",
+    "initially",
+    "finally",
+    "in the limit",
+    "in the case",
+    "in the special case",
+    "in the initial",
+    "in the final",
+    "in the horizontal",
+    "in the vertical",
+    "in the upright",
+    "in steady",
+    "for small",
+    "for the case",
+];
+
+/// The condition that a sentence puts, from the word that begins it. "when differentiating" says how, and not when.
+pub(crate) fn condition_in(sentence: &str) -> Option<&str> {
+    let starts = sentence
+        .char_indices()
+        .filter(|&(at, _)| !sentence[..at].ends_with(char::is_alphanumeric));
+    let mut found = starts.filter_map(|(at, _)| {
+        let rest = &sentence[at..];
+        begins_condition(rest).then_some(rest.trim())
+    });
+    found.next()
+}
+
+fn begins_condition(rest: &str) -> bool {
+    let mut words = rest.split_whitespace();
+    let (first, second) = (words.next().unwrap_or_default(), words.next());
+    let says_how = second.is_some_and(|word| word.ends_with("ing"));
+    let is = |word: &&str| first.eq_ignore_ascii_case(word);
+    let place = |phrase: &&str| {
+        let start = rest.get(..phrase.len());
+        let ends = !rest[start.map_or(0, str::len)..].starts_with(char::is_alphanumeric);
+        start.is_some_and(|start| start.eq_ignore_ascii_case(phrase)) && ends
+    };
+    IF.iter().any(|word| is(word)) && !says_how || WHERE.iter().any(|phrase| place(phrase))
+}
