@@ -50,6 +50,7 @@ use super::member_wheels::turn_members;
 use super::motor_reactions::tell_reactions_of_motors;
 use super::mounted::mount_wheels;
 use super::moving_planes::carry_planes;
+use super::named_groups::name_groups;
 use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
@@ -200,6 +201,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
 
 /// Members of families, by their numbers and names.
 fn count_members(declarations: &mut Vec<Declaration>) {
+    name_groups(declarations);
     name_members(declarations);
     place_elements(declarations);
     tell_places_of_particles(declarations);
