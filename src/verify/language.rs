@@ -63,6 +63,7 @@ mod floors;
 mod forms;
 mod frames_by_adjective;
 mod frames_by_nodes;
+mod frames_shown;
 mod gaps;
 mod generalised_momenta;
 mod gyration;
