@@ -160,6 +160,7 @@ mod sides;
 mod sign;
 mod sizes_aside;
 mod slopes;
+mod spherical_angles;
 mod spins;
 pub mod statement;
 mod straight_ways;
