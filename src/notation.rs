@@ -79,7 +79,7 @@ pub fn read(name: &str, text: &str, format: Format) -> (Document, Vec<Diagnostic
 }
 
 /// Reads a document of which sentences tell elsewhere what it means. A command that it does not define is a mark of
-/// letters where such a sentence, or one of its own, sets it around a letter.
+/// letters where such a sentence, or one of its own, sets it around a letter, and a letter where one speaks of it alone.
 ///
 /// ```
 /// use polhode::notation::{document::{Format, Item}, read_declared};
@@ -98,7 +98,7 @@ pub fn read_declared(
     let own = document.front_matter.sentences.iter();
     let own = own.map(|said| said.text.as_str());
     let all = own.chain(sentences.iter().copied());
-    let marks = told_marks::told_marks(all, &document.macros);
+    let marks = told_marks::told_marks(all, text, &document.macros);
     match marks.is_empty() {
         true => (document, troubles),
         false => read_with(name, text, format, &marks),
@@ -134,8 +134,8 @@ fn read_with(name: &str, text: &str, format: Format, marks: &Marks) -> (Document
     (document, troubles)
 }
 
-/// Commands that mark letters, each with what it stands for.
-type Marks = [(String, &'static str)];
+/// Commands that mark letters or are letters, each with what it stands for.
+type Marks = [(String, String)];
 
 /// Reads what stands in a document, with the decimal sign and the marks that its author uses.
 fn read_items(

@@ -100,13 +100,13 @@ impl Macros {
         }
     }
 
-    /// The same macros with commands of one argument beside them.
-    pub(crate) fn with_marks(mut self, marks: &[(String, &'static str)]) -> Self {
+    /// The same macros with commands of one argument beside them, or of none where what they stand for has none.
+    pub(crate) fn with_marks(mut self, marks: &[(String, String)]) -> Self {
         for (command, body) in marks {
             let mark = Macro {
-                arguments: 1,
+                arguments: usize::from(body.contains("#1")),
                 default: None,
-                body: (*body).to_owned(),
+                body: body.clone(),
             };
             self.defined.entry(command.clone()).or_insert(mark);
         }

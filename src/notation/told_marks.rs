@@ -1,5 +1,5 @@
-//! Commands that a document uses and does not define, and that its author's sentences set around single letters: they
-//! only mark these letters, `\uvec{k}`.
+//! Commands that a document uses and does not define. Its author's sentences set them around single letters, which they
+//! only mark, `\uvec{k}`, or speak of them as of letters, `\th`.
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
@@ -21,11 +21,13 @@ const LOOKS: [(&str, &str); 4] = [
 /// No more commands are looked at.
 const MOST: usize = 100;
 
-/// The commands that sentences set around single letters, each with what it stands for.
+/// The commands that sentences set around single letters or name as letters, each with what it stands for.
 pub(super) fn told_marks<'s>(
     sentences: impl Iterator<Item = &'s str>,
+    text: &str,
     macros: &Macros,
-) -> Vec<(String, &'static str)> {
+) -> Vec<(String, String)> {
+    let mut letters: BTreeSet<String> = BTreeSet::new();
     let mut commands: BTreeSet<String> = BTreeSet::new();
     let mut looks = LOOKS.to_vec();
     for sentence in sentences {
@@ -33,13 +35,39 @@ pub(super) fn told_marks<'s>(
         if !sentence.contains(FOR_ANY) && commands.len() < MOST {
             commands.extend(commands_around_letters(sentence).map(str::to_owned));
         }
+        if letters.len() < MOST {
+            letters.extend(commands_alone(sentence).map(str::to_owned));
+        }
     }
+    letters.retain(|command| !takes_argument(command, text) && is_unknown(command, macros));
+    commands.retain(|command| !letters.contains(command));
     let unknown = commands.into_iter();
     let unknown = unknown.filter(|command| is_unknown(command, macros));
     // A letter that one of them marks is another letter than the same one marked by another.
-    unknown
-        .zip(looks.into_iter().map(|(look, _)| look))
-        .collect()
+    let marks = unknown.zip(looks.into_iter().map(|(look, _)| look.to_owned()));
+    let named = letters.into_iter().map(|letter| {
+        let name = format!("\\mathrm{{{letter}}}");
+        (letter, name)
+    });
+    marks.chain(named).collect()
+}
+
+/// The commands that stand alone as formulas of a sentence: `$\th$`.
+fn commands_alone(sentence: &str) -> impl Iterator<Item = &str> {
+    let formulas = sentence.split(['$', '`']).skip(1).step_by(2);
+    let commands = formulas.filter_map(|formula| formula.trim().strip_prefix('\\'));
+    commands.filter(|command| {
+        !command.is_empty() && command.bytes().all(|byte| byte.is_ascii_alphabetic())
+    })
+}
+
+/// Whether a text writes a command with an argument in braces or brackets of its own: no letter has one.
+fn takes_argument(command: &str, text: &str) -> bool {
+    let call = format!("\\{command}");
+    let mut calls = text
+        .match_indices(&call)
+        .map(|(at, call)| &text[at + call.len()..]);
+    calls.any(|rest| rest.trim_start().starts_with(['{', '[']))
 }
 
 /// The commands of a text that have one letter as their argument.

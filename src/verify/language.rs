@@ -5,8 +5,8 @@
 //! the bodies that a text introduces. `rewrite`, `reorder`, `ellipsis`, `anaphora` and `told_apart` bring other wordings to the
 //! plain one before the grammar reads them. `declare` reads many sentences, and what each leaves to the others is put in
 //! afterwards: `kinds`, `introduce` and `plain_things` say what a name is, `owners`, `together` and `same` whose a quantity is,
-//! `entries` what stands in arrays, `named_members` which member has which name, `hinges`, `places`, `sides`,
-//! `body_axes` and `mounted` where points and axes of bodies are, `turns` how they turn, `weights` the letter of
+//! `entries` what stands in arrays, `named_members` which member has which name, `named_groups` which things a plural
+//! means, `hinges`, `places`, `sides`, `body_axes` and `mounted` where points and axes of bodies are, `turns` how they turn, `weights` the letter of
 //! gravity. `kept` and `unread` find what still holds of a sentence that is not understood and what it may change,
 //! `terms` lists what a statement speaks of, `print` writes statements as sentences again and `manual` tells people
 //! about all of it. English stands nowhere else.
@@ -64,6 +64,7 @@ mod floors;
 mod forms;
 mod frames_by_adjective;
 mod frames_by_nodes;
+mod frames_shown;
 mod gaps;
 mod generalised_momenta;
 mod gyration;
@@ -103,6 +104,7 @@ pub(crate) mod messages;
 mod motor_reactions;
 mod mounted;
 mod moving_planes;
+mod named_groups;
 mod named_members;
 mod named_places;
 mod named_things;
@@ -160,6 +162,7 @@ mod sides;
 mod sign;
 mod sizes_aside;
 mod slopes;
+mod spherical_angles;
 mod spins;
 pub(crate) mod spoken_conditions;
 pub mod statement;

@@ -1,5 +1,5 @@
 //! "`$M_3$` is the angular momentum of the top about O along 3": axes by their numbers alone, of the one frame of which another
-//! sentence numbers the axes, or that is fixed in a body.
+//! sentence numbers the axes, or that is fixed in a body; and "the third axis" without a frame.
 
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
@@ -59,11 +59,22 @@ fn put_axes(slots: &mut [(Slot, Term)], frame: &Term) {
             }
             _ => {
                 if let Term::Phrase(inner) = term {
+                    if is_bare_axis(inner) {
+                        inner.slots.push((Slot::Of, frame.clone()));
+                    }
                     put_axes(&mut inner.slots, frame);
                 }
             }
         }
     }
+}
+
+/// "the third axis", of which it is not said whose it is.
+fn is_bare_axis(phrase: &NounPhrase) -> bool {
+    let mut which = phrase.all(Slot::Which);
+    phrase.head == "axis"
+        && phrase.slot(Slot::Of).is_none()
+        && which.any(|axis| number(axis).is_some())
 }
 
 /// The number that a term is.

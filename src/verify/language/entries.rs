@@ -1,5 +1,6 @@
 //! Arrays that are written out: "`$(p, q, r)^T$` is the angular velocity of B" says what p, q and r are.
 
+use super::heads::{QUATERNION, SCALAR_FIRST, SCALAR_LAST, SCALAR_PART, VECTOR_PART};
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 use crate::notation::ast::{Kind, Node};
@@ -55,13 +56,14 @@ pub(crate) fn tell_entries(declarations: &mut Vec<Declaration>) {
     });
 }
 
-/// "`$q = (q_0, q_1, q_2, q_3)$` takes components on B to components on N": q does, and the others are its components.
+/// "`$q = (q_0, q_1, q_2, q_3)$` takes components on B to components on N": q does, and the others are its components. Those
+/// of "`$(q_0, v)$` …, scalar first" are the scalar part and the vector part.
 pub(crate) fn tell_parts(declarations: &mut Vec<Declaration>) {
     say_besides(declarations, |statement| {
         let Statement::Does {
             subjects,
             verb: "take",
-            ..
+            slots,
         } = statement
         else {
             return vec![];
@@ -70,6 +72,19 @@ pub(crate) fn tell_parts(declarations: &mut Vec<Declaration>) {
             [subject] => written(subject),
             _ => None,
         };
+        if let Some((letter, parts)) = formula.and_then(|formula| two_parts(formula, slots)) {
+            return match letter {
+                Some(letter) => {
+                    *subjects = vec![letter];
+                    parts.into()
+                }
+                None => {
+                    let [first, second] = parts;
+                    *statement = first;
+                    vec![second]
+                }
+            };
+        }
         let parts = formula
             .and_then(|formula| Some((letter_in(formula)?, array_in(formula).and_then(row_in)?)));
         let Some((letter, entries)) = parts else {
@@ -85,6 +100,43 @@ pub(crate) fn tell_parts(declarations: &mut Vec<Declaration>) {
             what: NounPhrase::new("component", of),
         }]
     });
+}
+
+/// The scalar part and the vector part of a quaternion that is written as two, and the letter that it has besides. One
+/// without a letter is that of what it takes components from, relative to what it takes them to.
+fn two_parts(formula: &Formula, slots: &[(Slot, Term)]) -> Option<(Option<Term>, [Statement; 2])> {
+    let row = array_in(formula).and_then(row_in)?;
+    let [first, second] = row.as_slice() else {
+        return None;
+    };
+    let said = |head: &str| {
+        let mut terms = slots.iter().map(|(_, term)| term);
+        terms.any(|term| matches!(term, Term::Phrase(adverb) if adverb.head == head))
+    };
+    let (scalar, vector) = match (said(SCALAR_FIRST), said(SCALAR_LAST)) {
+        (true, false) => (first, second),
+        (false, true) => (second, first),
+        _ => return None,
+    };
+    let letter = letter_in(formula).map(Term::Formula);
+    let of = match &letter {
+        Some(letter) => letter.clone(),
+        None => {
+            let end = |wanted: Slot| slots.iter().find(|(slot, _)| *slot == wanted).cloned();
+            let ends = [end(Slot::From)?.1, end(Slot::To)?.1];
+            let [from, to] = ends;
+            let slots = vec![(Slot::Of, from), (Slot::RelativeTo, to)];
+            Term::Phrase(Box::new(NounPhrase::new(QUATERNION, slots)))
+        }
+    };
+    let part = |node: &Node, head| Statement::Is {
+        subjects: vec![Term::Formula(Formula::of(node))],
+        what: NounPhrase::new(head, vec![(Slot::Of, of.clone())]),
+    };
+    Some((
+        letter,
+        [part(scalar, SCALAR_PART), part(vector, VECTOR_PART)],
+    ))
 }
 
 /// A formula, and that of "the quaternion `$q$`".

@@ -138,6 +138,8 @@ heads! {
     SCALAR_LAST = "scalar last";
     /// A frame that is written as a label above.
     FRAME_ABOVE = "frame at the upper right";
+    /// A frame that is written as a label of brackets.
+    FRAME_ON_BRACKETS = "frame on brackets";
     /// A frame that is written before a rate.
     FRAME_BEFORE_RATE = "frame at the upper left of a derivative";
     /// What such a frame means.

@@ -1,8 +1,9 @@
 //! Names that no sentence introduces, by what is said of them: what turns or has Euler angles is a frame, and what has a
 //! velocity is a point.
 
+use super::frames_shown::frames_shown;
 use super::heads::{ACCELERATION, MASS, POSITION, UNIT_VECTOR, VELOCITY};
-use super::kinds::{frames_shown, name};
+use super::kinds::name;
 use super::statement::{Declaration, Extent, NounPhrase, Slot, Statement, Term, slot};
 use std::collections::BTreeSet;
 

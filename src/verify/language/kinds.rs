@@ -1,8 +1,7 @@
-//! What kind of thing a name is, as other sentences show it: what has axes is a frame, and "the mass centre G of the body"
-//! says what G is.
+//! What kind of thing a name is, as other sentences show it: "the mass centre G of the body" says what G is.
 
 use super::bodies::singular;
-use super::heads::{EULER_ANGLES, POSITION};
+use super::heads::POSITION;
 use super::lexicon::{Class, Lexicon};
 use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
@@ -11,40 +10,6 @@ use super::{is_body, is_thing};
 use crate::notation::ast::Kind;
 use crate::notation::document::Row;
 use std::collections::BTreeSet;
-
-/// "B is fixed in the body" says of a frame what "B is a frame fixed in the body" says.
-pub(crate) fn show_frames(declarations: &mut [Declaration]) {
-    let frames = frames_shown(declarations);
-    for declaration in declarations {
-        if let Statement::Is { subjects, .. } = &declaration.statement
-            && subjects
-                .iter()
-                .all(|s| name(s).is_some_and(|name| frames.contains(&name)))
-        {
-            declaration.statement.is_of(Some("frame"));
-        }
-    }
-}
-
-/// The names that sentences use as those of frames.
-pub(super) fn frames_shown(declarations: &[Declaration]) -> BTreeSet<String> {
-    let mut frames = BTreeSet::new();
-    for declaration in declarations.iter() {
-        if let Statement::Is { subjects, what } = &declaration.statement {
-            // What is inertial is a frame.
-            if matches!(what.head, "frame" | "inertial") {
-                frames.extend(subjects.iter().filter_map(name));
-            }
-            seen_in(what, &mut frames);
-        }
-        for term in declaration.statement.terms() {
-            if let Term::Phrase(phrase) = term {
-                seen_in(phrase, &mut frames);
-            }
-        }
-    }
-    frames
-}
 
 /// "The top is a rigid body" and then "the body", "D is a disc" and then "the disc", "B is a frame" and then "the frame": of
 /// the only thing that is said to be one it is another name.
@@ -373,25 +338,6 @@ fn as_phrase(term: &Term) -> Option<&NounPhrase> {
     match term {
         Term::Phrase(phrase) => Some(phrase),
         _ => None,
-    }
-}
-
-/// The frames that a phrase shows: what has axes, from where a rate is seen, on what components are taken.
-fn seen_in(phrase: &NounPhrase, frames: &mut BTreeSet<String>) {
-    let on_frame = ["component", "entry"].contains(&phrase.head);
-    for (slot, term) in &phrase.slots {
-        let frame = match slot {
-            Slot::SeenFrom => true,
-            Slot::Of => matches!(phrase.head, "axes" | EULER_ANGLES),
-            Slot::RelativeTo => phrase.head == EULER_ANGLES,
-            Slot::On => on_frame,
-            _ => false,
-        };
-        match term {
-            term if frame => frames.extend(name(term)),
-            Term::Phrase(inner) => seen_in(inner, frames),
-            _ => {}
-        }
     }
 }
 

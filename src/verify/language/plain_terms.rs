@@ -25,6 +25,7 @@ use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
 use super::floors::lay_floors;
 use super::frames_by_adjective::tell_body_frames;
+use super::frames_shown::show_frames;
 use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
@@ -36,7 +37,7 @@ use super::introduce::introduce;
 use super::kept_sizes::keep_sizes;
 use super::kinds::{
     fix_frames, name_numbered, name_positions, name_the_only_one, place_particles, shape_by_name,
-    show_frames, tell_axes, tell_mass_centres,
+    tell_axes, tell_mass_centres,
 };
 use super::laid_by_angles::lay_by_angles;
 use super::laid_rods::fix_ends;
@@ -50,6 +51,7 @@ use super::member_wheels::turn_members;
 use super::motor_reactions::tell_reactions_of_motors;
 use super::mounted::mount_wheels;
 use super::moving_planes::carry_planes;
+use super::named_groups::name_groups;
 use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
@@ -200,6 +202,7 @@ fn tell_turns(declarations: &mut Vec<Declaration>, macros: &Macros) {
 
 /// Members of families, by their numbers and names.
 fn count_members(declarations: &mut Vec<Declaration>) {
+    name_groups(declarations);
     name_members(declarations);
     place_elements(declarations);
     tell_places_of_particles(declarations);

@@ -261,13 +261,17 @@ impl Printer<'_> {
                 let words = entry.map_or_else(|| (*name).to_owned(), |entry| self.sign(entry));
                 (if many { words } else { with_article(&words) }, many, false)
             }
-            Sign::Label { labels, on_rate } => {
+            Sign::Label { labels, on_whole } => {
                 let many = labels.len() > 1;
                 let noun = if many { "labels" } else { "label" };
                 let shown: Vec<String> = labels.iter().map(|label| format!("${label}$")).collect();
-                let on_rate = if *on_rate { " on a rate" } else { "" };
+                let on_whole = match meaning {
+                    _ if !on_whole => "",
+                    NotationMeaning::Noun(noun) if noun.head == "component" => " on brackets",
+                    _ => " on a rate",
+                };
                 (
-                    format!("the {noun} {}{on_rate}", listed(&shown)),
+                    format!("the {noun} {}{on_whole}", listed(&shown)),
                     many,
                     false,
                 )

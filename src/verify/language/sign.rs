@@ -102,8 +102,8 @@ impl<'a> Reader<'a> {
                 break;
             }
         }
-        let on_rate = self.take("on a rate") || self.take("on rates");
-        Ok(Sign::Label { labels, on_rate })
+        let on_whole = WHOLES.iter().any(|whole| self.take(whole));
+        Ok(Sign::Label { labels, on_whole })
     }
 
     /// What a mark or a label means.
@@ -232,6 +232,20 @@ impl<'a> Reader<'a> {
         Ok(operating(operators, &meaning))
     }
 }
+
+/// What a label may stand on that is no letter.
+const WHOLES: [&str; 10] = [
+    "on a rate",
+    "on rates",
+    "on a bracket",
+    "on brackets",
+    "on square brackets",
+    "on round brackets",
+    "on parentheses",
+    "on braces",
+    "at brackets",
+    "behind brackets",
+];
 
 impl Reader<'_> {
     /// "their rates": the letters with a dot.

@@ -266,12 +266,12 @@ pub enum Touched {
 pub enum Sign {
     /// `dot`, `tilde`, `hat`, `wide hat`, `bar`, `prime`, `no mark`, `no label`, `underline`.
     Mark(&'static str),
-    /// "the label `$abs$`", "the labels 1, 2, 3", with "on a rate" where it says so.
+    /// "the label `$abs$`", "the labels 1, 2, 3", with "on a rate" or "on brackets" where it says so.
     Label {
         /// The labels as written, dollars taken off.
         labels: Vec<String>,
-        /// Whether it stands on a rate alone.
-        on_rate: bool,
+        /// Whether it stands on rates or brackets alone.
+        on_whole: bool,
     },
     /// "braces", "a frame at the upper left", "a full stop between vectors", "a repeated index", "repeated cross products".
     Custom(&'static str),

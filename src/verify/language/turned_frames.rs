@@ -1,6 +1,7 @@
 //! The angle of one frame relative to another about an axis that both have: the one turns about it by this angle.
 
-use super::kinds::{frames_shown, name};
+use super::frames_shown::frames_shown;
+use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 
 /// "`$\theta$` is the angle of A relative to N about z", of frames A and N: A turns relative to N about z by the angle θ.

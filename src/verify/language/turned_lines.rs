@@ -7,6 +7,7 @@ use super::kinds::name;
 use super::planar_axes::axis;
 use super::planar_lines::{Line, line_between, place_along, place_ends};
 use super::reader::formula;
+use super::spherical_angles::place_by_spherical_angles;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::turned_frames::turn_frames;
 use super::turned_triads::turn_triads;
@@ -39,6 +40,7 @@ impl Direction {
 /// "`$\theta$` is the angle from y to the line from O to P towards x": the line turns in their plane by it.
 pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_by_nodes(declarations, macros);
+    place_by_spherical_angles(declarations, macros);
     turn_vectors(declarations, macros);
     turn_triads(declarations, macros);
     turn_frames(declarations);

@@ -124,6 +124,16 @@ const SIGNS: [(&[&str], &[&str]); 19] = [
     ),
 ];
 
+/// Which of these are labels, and which brackets.
+const LABELS: usize = 0;
+const BRACKETS: usize = 2;
+
+/// Labels behind brackets, as they are written.
+const BEHIND_BRACKETS: [&str; 18] = [
+    "]_", "] _", ")_", ") _", "|_", "| _", "\\}_", "\\} _", "vert_", "rangle_", "matrix}_", "]^",
+    ")^", "|^", "\\}^", "vert^", "rangle^", "matrix}^",
+];
+
 impl Reader<'_> {
     /// How the first sign of which a rule speaks may be written; that of each one where it speaks of one or another. What a
     /// sign means is a rule for what carries it alone, if nothing is said of what lacks it.
@@ -144,6 +154,10 @@ impl Reader<'_> {
             return None;
         }
         let several = subject.iter().any(|t| is(t, &["or", "and"]));
+        let named = |sign: usize| subject.iter().any(|t| is(t, SIGNS[sign].0));
+        if named(LABELS) && named(BRACKETS) && !several {
+            return Some(BEHIND_BRACKETS.map(str::to_owned).to_vec());
+        }
         let signs = |t: &Token| {
             let mut all = SIGNS.iter();
             all.find_map(|(called, written)| is(t, called).then_some(*written))

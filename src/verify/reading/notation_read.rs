@@ -3,9 +3,10 @@
 use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COLUMN_BY_COLUMN, COLUMN_OF_VECTORS, COLUMNS_OF_TWO, CROSS_WITH_MATRIX, DECIMAL_NUMBERS,
-    DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE, IDENTITY_MATRIX, INSTANT, LIST,
-    MATRIX_PRODUCT, NOT_SUMMED, NOTHING, NUMBER_BESIDE_MATRIX, QUATERNION_DOT, RATE_FROM_FRAME,
-    ROWS_OF_MATRIX, TENSOR_PRODUCT, TIMES_IDENTITY, UNDERBRACE, VECTORS_SIDE_BY_SIDE,
+    DOT_OF_MATRICES, FRAME_ABOVE, FRAME_BEFORE_RATE, FRAME_ON_BRACKETS, IDENTITY_MATRIX, INSTANT,
+    LIST, MATRIX_PRODUCT, NOT_SUMMED, NOTHING, NUMBER_BESIDE_MATRIX, QUATERNION_DOT,
+    RATE_FROM_FRAME, ROWS_OF_MATRIX, TENSOR_PRODUCT, TIMES_IDENTITY, UNDERBRACE,
+    VECTORS_SIDE_BY_SIDE,
 };
 use crate::verify::language::rate_letters::rate_letter;
 use crate::verify::language::statement::{
@@ -251,7 +252,9 @@ impl Builder<'_> {
                 };
                 self.mark_means(mark, effect, reach);
             }
-            Sign::Label { labels, on_rate } => self.labels_mean(labels, *on_rate, &effect, &reach),
+            Sign::Label { labels, on_whole } => {
+                self.labels_mean(labels, *on_whole, &effect, &reach)
+            }
             Sign::Operator(formula) => {
                 self.read_operator_rule(formula, meaning, effect, declaration)
             }
@@ -263,7 +266,8 @@ impl Builder<'_> {
                 self.reading.letters.customs.frames_above_rates =
                     *meaning == NotationMeaning::Fixed(RATE_FROM_FRAME);
             }
-            Sign::Custom(FRAME_ABOVE) => self.label_components(&reach),
+            Sign::Custom(FRAME_ABOVE) => self.label_components(false, &reach),
+            Sign::Custom(FRAME_ON_BRACKETS) => self.label_components(true, &reach),
             Sign::Custom(brackets) if hold_components(brackets, &effect) => {
                 self.mark_means(Mark::Brackets, effect, reach);
             }
@@ -286,13 +290,13 @@ impl Builder<'_> {
         self.reading.letters.marks.push(rule);
     }
 
-    fn labels_mean(&mut self, labels: &[String], on_rate: bool, effect: &Effect, reach: &Reach) {
+    fn labels_mean(&mut self, labels: &[String], on_whole: bool, effect: &Effect, reach: &Reach) {
         for (place, label) in labels.iter().enumerate() {
             let component = (labels.len() == 3).then_some(place);
             self.reading.letters.labels.push(LabelRule {
                 label: plain_label(label),
                 effect: effect.clone(),
-                on_rate,
+                on_whole,
                 component,
                 reach: reach.clone(),
             });
@@ -331,12 +335,12 @@ impl Builder<'_> {
     }
 
     /// Each frame's name as a label says that components on it are meant.
-    fn label_components(&mut self, reach: &Reach) {
+    fn label_components(&mut self, on_whole: bool, reach: &Reach) {
         let frames = self.reading.system.frames.iter().enumerate();
         let rules = frames.map(|(frame, named)| LabelRule {
             label: plain_label(&named.name),
             effect: Effect::ComponentsOn(frame),
-            on_rate: false,
+            on_whole,
             component: None,
             reach: reach.clone(),
         });

@@ -133,7 +133,7 @@ impl Builder<'_> {
             self.reading.letters.labels.push(LabelRule {
                 label: label.to_owned(),
                 effect: effect.clone(),
-                on_rate: true,
+                on_whole: true,
                 component: None,
                 reach: reach.clone(),
             });

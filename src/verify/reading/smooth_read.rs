@@ -37,7 +37,8 @@ impl Builder<'_> {
         let joins = matches!(thing, Term::Name(name) if is_joint(name))
             || matches!(thing, Term::Phrase(joint) if JOINTS.contains(&joint.head));
         let held = is_track(thing) && self.declarations.iter().any(is_along);
-        joins || held || !self.speaks_of_force(thing)
+        let directed = self.declarations.iter().any(|d| is_directed(d, thing));
+        joins || held || directed || !self.speaks_of_force(thing)
     }
 
     fn smooth_things(&self) -> Vec<Term> {
@@ -89,6 +90,16 @@ fn is_along(declaration: &Declaration) -> bool {
     let moves = declaration.statement.does("move");
     let moves = moves.or_else(|| declaration.statement.does("slide"));
     moves.is_some_and(|(_, slots)| slots.iter().any(|(slot, _)| *slot == Slot::Along))
+}
+
+/// "`$F$` is the force of the guide on the frame along `$i$`": that the guide is smooth tells no more of this force.
+fn is_directed(declaration: &Declaration, thing: &Term) -> bool {
+    match &declaration.statement {
+        Statement::Is { what, .. } if what.head == FORCE => {
+            what.all(Slot::Of).any(|of| of == thing) && what.slot(Slot::Along).is_some()
+        }
+        _ => false,
+    }
 }
 
 /// Whether a term is the force of a thing, or something of that.

@@ -211,8 +211,8 @@ pub(crate) struct MarkRule {
 pub(crate) struct LabelRule {
     pub(crate) label: String,
     pub(crate) effect: Effect,
-    /// Whether it means so on a rate alone.
-    pub(crate) on_rate: bool,
+    /// Whether it means so on rates and brackets alone.
+    pub(crate) on_whole: bool,
     /// The number of the component, for labels that number components.
     pub(crate) component: Option<usize>,
     pub(crate) reach: Reach,
@@ -343,9 +343,9 @@ impl Letters {
         rule.is_some_and(|rule| rule.reach != Reach::All)
     }
 
-    pub(crate) fn label(&self, label: &str, on_rate: bool, at: &At) -> Option<&LabelRule> {
+    pub(crate) fn label(&self, label: &str, on_whole: bool, at: &At) -> Option<&LabelRule> {
         let fits =
-            |r: &&LabelRule| r.label == label && (!r.on_rate || on_rate) && r.reach.covers(at, 0);
+            |r: &&LabelRule| r.label == label && (!r.on_whole || on_whole) && r.reach.covers(at, 0);
         let rules = self.labels.iter().filter(fits);
         rules.max_by_key(|r| r.reach.narrowness())
     }

@@ -161,8 +161,8 @@ impl Lowering<'_> {
     }
 
     /// What a label of a frame or by a rule does.
-    pub(super) fn effect_of(&self, label: &str, on_rate: bool) -> Option<Effect> {
-        if let Some(rule) = self.letters.label(label, on_rate, self.at)
+    pub(super) fn effect_of(&self, label: &str, on_whole: bool) -> Option<Effect> {
+        if let Some(rule) = self.letters.label(label, on_whole, self.at)
             && rule.component.is_none()
         {
             return Some(rule.effect.clone());
