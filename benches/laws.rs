@@ -43,7 +43,7 @@ const WIND: [f64; 3] = [0.3, 0.0, -0.1];
 const DRAG: f64 = 0.02;
 
 impl<T: Number> TorqueLaw<T> for Own {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque(&self, _time: T, state: &State<T>) -> Vector3<T> {
         let spin = state.angular_velocity.z;
         let mut torque = state.attitude.constant_to_body(&Vector3::from(WIND));
@@ -53,7 +53,7 @@ impl<T: Number> TorqueLaw<T> for Own {
 }
 
 impl Law for Own {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque<T: Scalar>(&self, _: T, attitude: &[T; 4], omega: &[T; 3]) -> [T; 3] {
         let [x, y, z] = seen(attitude, WIND);
         [x, y, z - omega[2] * omega[2] * DRAG]
@@ -77,7 +77,7 @@ macro_rules! known {
         impl Law for $name {
             const IN_SPACE: bool = $in_space;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn torque<T: Scalar>(&self, $time: T, $attitude: &[T; 4], $omega: &[T; 3]) -> [T; 3] {
                 $rival
             }

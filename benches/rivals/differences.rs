@@ -10,7 +10,7 @@ const STEP: f64 = crate::reference_step::STEP;
 const WIDTH: f64 = 6e-6;
 
 /// The tangent of the result with the input moved by an amount along a direction.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn moved<L: SmoothLaw>(
     system: &System<f64, L>,
     state: &State<f64>,

@@ -19,7 +19,7 @@ pub(crate) trait Law: Copy {
 }
 
 /// The components in the body of a vector of space.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn seen<T: Scalar + Mul<V, Output = T>, V: Copy>(
     [w, a, b, c]: &[T; 4],
     [x, y, z]: [V; 3],
@@ -35,13 +35,13 @@ pub(crate) fn seen<T: Scalar + Mul<V, Output = T>, V: Copy>(
     ]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn cross<T: Scalar>([a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }
 
 /// xx, yy, zz, xy, xz, yz, times a vector.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn times<T: Scalar>([xx, yy, zz, xy, xz, yz]: &[T; 6], [x, y, z]: [T; 3]) -> [T; 3] {
     [
         *xx * x + *xy * y + *xz * z,
@@ -50,7 +50,7 @@ fn times<T: Scalar>([xx, yy, zz, xy, xz, yz]: &[T; 6], [x, y, z]: [T; 3]) -> [T;
     ]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn inverse<T: Scalar>([xx, yy, zz, xy, xz, yz]: [T; 6]) -> [T; 6] {
     let minors = [
         yy * zz - yz * yz,
@@ -74,7 +74,7 @@ pub(crate) struct Input<T> {
 
 impl<T: Scalar> Input<T> {
     /// Column `c` is the variable `c`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(
         inertia: &Matrix3<f64>,
         state: &State<f64>,
@@ -102,7 +102,7 @@ impl<T: Scalar> Input<T> {
     }
 
     /// The classical step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stepped<L: Law>(&self, law: &L, time: f64) -> [T; 7] {
         let inverse = inverse(self.inertia);
         let rates = |time: T, [w, x, y, z, p, q, r]: &[T; 7]| {

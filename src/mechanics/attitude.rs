@@ -13,7 +13,7 @@ pub fn attitude_rate<T: Ring>(attitude: &Matrix3<T>, omega: &Vector3<T>) -> Matr
 }
 
 /// Hamilton's product `p q`, `[w, x, y, z]`: `p q` turns first by q, then by p.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn quaternion_product<T: Ring>(p: &Vector4<T>, q: &Vector4<T>) -> Vector4<T> {
     let term = |i: usize, j: usize| p[i].clone() * q[j].clone();
     Vector4::new(
@@ -40,7 +40,7 @@ pub fn quaternion_rate<T: Field>(q: &Vector4<T>, omega: &Vector3<T>) -> Vector4<
 /// The matrix of `v ↦ q v q*`: the rotation matrix times |q|², so that no division is needed.
 ///
 /// It is a rotation for a unit quaternion. Over an exact field, divide by |q|² to have exact rotations.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn rotation<T: Ring>(q: &Vector4<T>) -> Matrix3<T> {
     let square = |i: usize| q[i].clone() * q[i].clone();
     let twice = |i: usize, j: usize| {

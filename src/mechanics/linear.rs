@@ -4,7 +4,7 @@ use crate::scalar::Ring;
 use nalgebra::{Matrix3, Vector3};
 
 /// `m v` in nine products. nalgebra's `*` multiplies by one besides, which costs an exact scalar dear.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn apply<T: Ring>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
     Vector3::from_fn(|r, _| {
         m[(r, 0)].clone() * v[0].clone()
@@ -14,7 +14,7 @@ pub fn apply<T: Ring>(m: &Matrix3<T>, v: &Vector3<T>) -> Vector3<T> {
 }
 
 /// `a b`, in twenty-seven products.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn product<T: Ring>(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
     Matrix3::from_fn(|r, c| {
         a[(r, 0)].clone() * b[(0, c)].clone()
@@ -24,14 +24,14 @@ pub fn product<T: Ring>(a: &Matrix3<T>, b: &Matrix3<T>) -> Matrix3<T> {
 }
 
 /// `a × b`, right-handed.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn cross<T: Ring>(a: &Vector3<T>, b: &Vector3<T>) -> Vector3<T> {
     let term = |i: usize, j: usize| a[i].clone() * b[j].clone() - a[j].clone() * b[i].clone();
     Vector3::new(term(1, 2), term(2, 0), term(0, 1))
 }
 
 /// The matrix `[v]×` with `[v]× a = v × a` for every `a`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn skew<T: Ring>(v: &Vector3<T>) -> Matrix3<T> {
     let [x, y, z] = [0, 1, 2].map(|i| v[i].clone());
     let zero = T::zero;
@@ -49,7 +49,7 @@ pub fn skew<T: Ring>(v: &Vector3<T>) -> Matrix3<T> {
 }
 
 /// The adjugate: `m adj(m) = det(m) 1`, without a division.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn adjugate<T: Ring>(m: &Matrix3<T>) -> Matrix3<T> {
     // The indices run on cyclically, so that each cofactor comes with its sign.
     Matrix3::from_fn(|r, c| {

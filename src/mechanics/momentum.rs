@@ -5,7 +5,7 @@ use crate::scalar::{Jet, Ring};
 use nalgebra::{Matrix3, Vector3};
 
 /// The angular momentum `L = I ω` in kg m²/s, about the point of the tensor, along its axes.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn angular_momentum<T: Ring>(inertia: &Matrix3<T>, omega: &Vector3<T>) -> Vector3<T> {
     apply(inertia, omega)
 }

@@ -107,7 +107,7 @@ impl InertiaParameters {
 /// let tensor = InertiaParameters::Urdf.tensor(urdf);
 /// assert_eq!(y * nalgebra::SVector::from(urdf), moment(&tensor, &omega, &alpha));
 /// ```
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub fn regressor<T: Ring>(omega: &Vector3<T>, alpha: &Vector3<T>) -> SMatrix<T, 3, 6> {
     let [x, y, z] = [0, 1, 2].map(|i| alpha[i].clone());
     let product = |i: usize, j: usize| omega[i].clone() * omega[j].clone();

@@ -137,10 +137,10 @@ impl Batch {
         let inertia = &self.inertia;
         let failed = for_each_block(
             &mut self.blocks,
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             |index, block: &mut Block| {
                 law.by_kind(
-                    #[inline(always)]
+                    #[cfg_attr(not(debug_assertions), inline(always))]
                     |law| match inertia {
                         Inertia::Shared(tensor, shared) if is_diagonal(tensor) => {
                             let system = of(*tensor, law).along_axes(true);
@@ -244,7 +244,7 @@ struct Failed {
 
 impl Failed {
     /// The first lane of a block that is not finite.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn within(block: &Block, time: f64) -> Option<Self> {
         if block.is_finite() {
             return None;
@@ -273,7 +273,7 @@ impl Failed {
 }
 
 /// The steps of a block. Straight through the bodies, so that they share registers.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn steps<S: Scheme<L>, L: TorqueLaw<f64>>(
     scheme: &S,
     tensors: &Tensors<'_>,
@@ -296,12 +296,12 @@ fn steps<S: Scheme<L>, L: TorqueLaw<f64>>(
     None
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn of<L: TorqueLaw<f64>>(tensor: Matrix3<f64>, law: L) -> System<f64, L> {
     System::over(tensor, law, Vector3::zeros())
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn tensor_of([xx, yy, zz, xy, xz, yz]: &[Lane; 6], lane: usize) -> Matrix3<f64> {
     let [xy, xz, yz] = [xy[lane], xz[lane], yz[lane]];
     Matrix3::new(xx[lane], xy, xz, xy, yy[lane], yz, xz, yz, zz[lane])
@@ -327,7 +327,7 @@ fn shared(tensor: &Matrix3<f64>) -> Tensors<'static> {
 }
 
 /// Whether the products of inertia of all bodies of a block are zero.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn are_diagonal([_, _, _, xy, xz, yz]: &[Lane; 6]) -> bool {
     let mut none = true;
     for lane in 0..LANES {

@@ -49,7 +49,7 @@ impl Block {
     }
 
     /// The state of body `lane`, less than [`LANES`].
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn get(&self, lane: usize) -> State<f64> {
         let [w, x, y, z, a, b, c] = &self.0;
         State {
@@ -59,7 +59,7 @@ impl Block {
     }
 
     /// Sets the state of body `lane`, less than [`LANES`].
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn set(&mut self, lane: usize, state: &State<f64>) {
         let ([w, x, y, z], o) = (state.attitude.components(), &state.angular_velocity);
         self.0[0][lane] = w;
@@ -72,20 +72,20 @@ impl Block {
     }
 
     /// The components w, x, y, z of the attitudes, then those of ω, of all eight bodies each.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn lanes(&self) -> &[Lane; 7] {
         &self.0
     }
 
     /// The same, to be written.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn lanes_mut(&mut self) -> &mut [Lane; 7] {
         &mut self.0
     }
 
     /// Whether every component of every body is a finite number.
     #[cfg(feature = "batch")]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn is_finite(&self) -> bool {
         // 0 times anything else is not 0.
         let mut zeros = [0.0; LANES];

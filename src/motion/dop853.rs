@@ -57,7 +57,7 @@ impl<T: Number> Default for Stages<T> {
 }
 
 impl<T: Number> Stages<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn begin(&mut self, start: Lane<T>, slope: Lane<T>) {
         (self.places[0], self.slopes[0]) = (start, slope);
     }
@@ -73,7 +73,7 @@ impl<T: Number> Stages<T> {
         stages!(1 2 3 4 5 6 7 8 9 10 11);
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stage<L: TorqueLaw<T>>(
         &mut self,
         system: &System<T, L>,
@@ -86,7 +86,7 @@ impl<T: Number> Stages<T> {
     }
 
     /// Where they lead; the quaternion is not made unit.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn end(&self, step: T) -> Lane<T> {
         along(&self.places[0], &sum(&self.slopes, END), step)
     }
@@ -112,13 +112,13 @@ impl Stages<f64> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn pack<T: Number>(state: &State<T>) -> Lane<T> {
     let ([w, x, y, z], o) = (state.attitude.components(), &state.angular_velocity);
     [w, x, y, z, o.x, o.y, o.z, T::zero()]
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn unpack<T: Number>([w, x, y, z, a, b, c, _]: &Lane<T>) -> State<T> {
     State {
         attitude: Quaternion::new([*w, *x, *y, *z]),
@@ -126,7 +126,7 @@ pub(crate) fn unpack<T: Number>([w, x, y, z, a, b, c, _]: &Lane<T>) -> State<T> 
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn unit<T: Number>(lane: &Lane<T>) -> State<T> {
     let state = unpack(lane);
     State {
@@ -135,7 +135,7 @@ fn unit<T: Number>(lane: &Lane<T>) -> State<T> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rate<T: Number, L: TorqueLaw<T>>(system: &System<T, L>, time: T, lane: &Lane<T>) -> Lane<T> {
     let rates = system.rates(time, &unpack(lane));
     pack(&State {
@@ -144,7 +144,7 @@ fn rate<T: Number, L: TorqueLaw<T>>(system: &System<T, L>, time: T, lane: &Lane<
     })
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
     let mut sum = [T::zero(); 8];
     for (stage, coefficient) in row {
@@ -156,7 +156,7 @@ fn sum<T: Number>(slopes: &[Lane<T>; 16], row: Row) -> Lane<T> {
     sum
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn along<T: Number>(start: &Lane<T>, slope: &Lane<T>, step: T) -> Lane<T> {
     std::array::from_fn(|i| start[i] + slope[i] * step)
 }

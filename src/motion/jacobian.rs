@@ -13,7 +13,7 @@
 //! A step of [`Rk4`](crate::motion::Rk4) with 15 columns takes three and a half plain steps of a free body, 172 ns on one core of an
 //! AMD EPYC, and the product with one vector two. Under gravity, a torque in space or damping all of these take 1.1 to 1.5 times
 //! that, under a sinusoid in space 1.4 to 1.6 times. Of a law of one's own only the torque is run on dual numbers, at each of the
-//! four stages: 1.6 to 2.5 times, if its function is `#[inline(always)]`. `cargo bench --bench laws` has all laws beside num-dual,
+//! four stages: 1.6 to 2.5 times, if its function is `#[cfg_attr(not(debug_assertions), inline(always))]`. `cargo bench --bench laws` has all laws beside num-dual,
 //! differences, CasADi and SymForce.
 //!
 //! The feature `batch` finds out what registers the machine has. Without it the code is made for the machine that the crate is

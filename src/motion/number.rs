@@ -16,7 +16,7 @@ pub trait Number: Real + Copy {
     fn of(value: f64) -> Self;
 
     /// This number times a constant one, which has no derivatives to multiply by.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     fn scaled(self, factor: f64) -> Self {
         self * Self::of(factor)
@@ -32,7 +32,7 @@ pub trait Number: Real + Copy {
     fn magnitude(&self) -> f64;
 
     /// The sines of three angles, in radians. Of doubles they are had side by side.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     fn sines(angles: [Self; 3]) -> [Self; 3] {
         let [a, b, c] = angles;
@@ -47,27 +47,27 @@ macro_rules! real {
             type Value = Self;
             const DERIVATIVES: usize = 0;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn real(&self) -> Self {
                 *self
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn constant(value: Self) -> Self {
                 value
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn magnitude(&self) -> f64 {
                 self.abs().into()
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn of(value: f64) -> Self {
                 value as Self
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn sines(angles: [Self; 3]) -> [Self; 3] {
                 let [a, b, c] = angles;
                 let [a, b, c] = sines([a.into(), b.into(), c.into()]);
@@ -83,27 +83,27 @@ impl<T: Number, const N: usize> Number for Jet<T, N> {
     type Value = <T as Number>::Value;
     const DERIVATIVES: usize = T::DERIVATIVES + 1;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn real(&self) -> <T as Number>::Value {
         self.value.real()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(value: <T as Number>::Value) -> Self {
         Self::constant(T::constant(value))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn magnitude(&self) -> f64 {
         self.value.magnitude()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(value: f64) -> Self {
         Self::constant(T::of(value))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn scaled(self, factor: f64) -> Self {
         Self {
             value: self.value.scaled(factor),

@@ -17,7 +17,7 @@ pub struct Quaternion<T> {
 
 impl<T: Number> Quaternion<T> {
     /// The quaternion of the components w, x, y, z.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn new([w, x, y, z]: [T; 4]) -> Self {
         Self {
             w,
@@ -26,19 +26,19 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// The components w, x, y, z.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn components(&self) -> [T; 4] {
         [self.w, self.v.x, self.v.y, self.v.z]
     }
 
     /// No rotation.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn identity() -> Self {
         Self::new([T::one(), T::zero(), T::zero(), T::zero()])
     }
 
     /// w − x i − y j − z k: of a unit quaternion the inverse rotation.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn conjugate(&self) -> Self {
         Self {
             w: self.w,
@@ -47,13 +47,13 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// w² + x² + y² + z².
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn norm_squared(&self) -> T {
         self.w * self.w + self.v.x * self.v.x + self.v.y * self.v.y + self.v.z * self.v.z
     }
 
     /// The quaternion of unit length in this direction.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn normalised(&self) -> Self {
         *self * (T::one() / self.norm_squared().sqrt())
     }
@@ -61,7 +61,7 @@ impl<T: Number> Quaternion<T> {
     /// The vector of the space frame that has the components `v` in the body: q v q⁻¹.
     ///
     /// Of a quaternion off unit length it is |q|² times that, whatever the axes: a stage of a step knows none.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn to_space(&self, v: &Vector3<T>) -> Vector3<T> {
         let (w, u) = (self.w, &self.v);
         let (square, along) = (
@@ -73,14 +73,14 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// The components in the body of the space vector `v`: q⁻¹ v q.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn to_body(&self, v: &Vector3<T>) -> Vector3<T> {
         self.conjugate().to_space(v)
     }
 
     /// The components in the body of a vector that is constant in space, as [`to_body`](Self::to_body) has them: with derivatives
     /// at about half the cost.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn constant_to_body<C: Coefficient<T>>(&self, v: &Vector3<C>) -> Vector3<T> {
         let (w, u) = (self.w, &self.v);
         let square = u.x * u.x + u.y * u.y + u.z * u.z;
@@ -95,13 +95,13 @@ impl<T: Number> Quaternion<T> {
     }
 
     /// The rotation matrix R, body → space.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn matrix(&self) -> Matrix3<T> {
         rotation(&self.components().into())
     }
 
     /// The rate q̇ = ½ q ω of an attitude whose body turns with ω, in body axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rate(&self, omega: &Vector3<T>) -> Self {
         // Written out: the product with a scalar part of 0 would be multiplied all the same.
         let ([w, x, y, z], half) = (self.components(), T::of(0.5));
@@ -183,7 +183,7 @@ impl Quaternion<f64> {
 impl<T: Number> Mul for Quaternion<T> {
     type Output = Self;
     /// The product: first `other`, then `self`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let (p, q): (Vector4<T>, Vector4<T>) =
             (self.components().into(), other.components().into());
@@ -193,7 +193,7 @@ impl<T: Number> Mul for Quaternion<T> {
 
 impl<T: Number> Mul<T> for Quaternion<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, factor: T) -> Self {
         Self {
             w: self.w * factor,
@@ -204,7 +204,7 @@ impl<T: Number> Mul<T> for Quaternion<T> {
 
 impl<T: Number> Add for Quaternion<T> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         Self {
             w: self.w + other.w,

@@ -27,22 +27,22 @@ pub(crate) trait Arithmetic:
 }
 
 impl Arithmetic for f64 {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         self + a * b
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less_product(self, a: Self, b: Self) -> Self {
         self - a * b
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(self, value: f64) -> Self {
         value
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(self) -> Self {
         self.sqrt()
     }
@@ -66,7 +66,7 @@ pub(crate) trait Registers: Copy {
     fn store(self, wide: Self::Wide, values: &mut [f64]);
 
     /// What stands in the first lane.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn first(self, wide: Self::Wide) -> f64 {
         let mut lanes = [0.0; LANES];
         self.store(wide, &mut lanes);
@@ -85,14 +85,14 @@ pub(crate) trait Work {
 
 /// Does the work in the widest registers that the machine has.
 #[cfg(feature = "batch")]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn in_widest<W: Work>(work: W) -> W::Output {
     pulp::Arch::new().dispatch(dispatched::Dispatched(work))
 }
 
 /// Does the work, a double at a time, with all that the machine knows to do.
 #[cfg(feature = "batch")]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn one_at_a_time<W: Work>(work: W) -> W::Output {
     pulp::Arch::new().dispatch(dispatched::OneAtATime(work))
 }
@@ -100,28 +100,28 @@ pub(crate) fn one_at_a_time<W: Work>(work: W) -> W::Output {
 /// Calls `work` compiled for all that the machine knows to do, to the bit what it gives elsewhere. To be inlined, as what it
 /// calls.
 #[cfg(feature = "batch")]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn at_its_best<T>(work: impl FnOnce() -> T) -> T {
     pulp::Arch::new().dispatch(dispatched::Plain(work))
 }
 
 /// Calls `work`.
 #[cfg(not(feature = "batch"))]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn at_its_best<T>(work: impl FnOnce() -> T) -> T {
     work()
 }
 
 /// Does the work, a double at a time.
 #[cfg(not(feature = "batch"))]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn one_at_a_time<W: Work>(work: W) -> W::Output {
     work.run(built::Built::<1>)
 }
 
 /// Does the work in the widest registers of the machine that the crate is built for.
 #[cfg(not(feature = "batch"))]
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn in_widest<W: Work>(work: W) -> W::Output {
     work.run(built::Built::<{ built::WIDEST }>)
 }

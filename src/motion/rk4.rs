@@ -23,7 +23,7 @@ impl<L> Scheme<L> for Rk4 {
         4
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step<T: Number>(&self, system: &System<T, L>, time: T, state: &State<T>, step: T) -> State<T>
     where
         L: TorqueLaw<T>,
@@ -45,7 +45,7 @@ impl<L> Scheme<L> for Rk4 {
 
     /// Backwards through the stages, in registers; a law that is not written out as a [`LinearTorque`](crate::motion::LinearTorque)
     /// is alone run on dual numbers.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn step_with_jacobian<const N: usize>(
         &self,
         system: &System<f64, L>,
@@ -67,7 +67,7 @@ impl<L> Scheme<L> for Rk4 {
     }
 
     /// In registers where the torque does not look at the attitude.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn block_step(
         &self,
         law: &L,
@@ -82,7 +82,7 @@ impl<L> Scheme<L> for Rk4 {
         lanes::block_step(law, tensors, time, block, step)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn block_with_jacobian<const N: usize>(
         &self,
         system: &impl Fn(usize) -> System<f64, L>,
@@ -99,7 +99,7 @@ impl<L> Scheme<L> for Rk4 {
     }
 
     /// Forward through the stages, as the Jacobian.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn jvp<const N: usize>(
         &self,
         system: &System<f64, L>,
@@ -119,7 +119,7 @@ impl<L> Scheme<L> for Rk4 {
     }
 
     /// Backwards through the stages, as the Jacobian.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn vjp<const N: usize>(
         &self,
         system: &System<f64, L>,
@@ -140,7 +140,7 @@ impl<L> Scheme<L> for Rk4 {
     }
 
     /// Backwards through the stages to the tensor and the torques, of which alone the derivatives are taken.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn vjp_by_parameters<const P: usize, K>(
         &self,
         system: &System<f64, L>,

@@ -26,7 +26,7 @@ const SERIES: [f64; 10] = [
 ];
 
 /// The sines of angles in radians. By loops, for what a closure of an iterator does is not compiled for the machine at hand.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn sines<const N: usize>(angles: [f64; N]) -> [f64; N] {
     let mut sines = angles;
     if are_small(angles) {
@@ -43,7 +43,7 @@ pub(crate) fn sines<const N: usize>(angles: [f64; N]) -> [f64; N] {
 }
 
 /// The cosines of angles in radians.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn cosines<const N: usize>(angles: [f64; N]) -> [f64; N] {
     let mut cosines = angles;
     if are_small(angles) {
@@ -59,7 +59,7 @@ pub(crate) fn cosines<const N: usize>(angles: [f64; N]) -> [f64; N] {
     cosines
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn are_small<const N: usize>(angles: [f64; N]) -> bool {
     let mut all = true;
     for angle in angles {
@@ -70,7 +70,7 @@ fn are_small<const N: usize>(angles: [f64; N]) -> bool {
 
 /// (−1)ⁿ sin(x − π `multiple`), n the integer that was `rounded`. The terms in the order in which they are known, so that little
 /// waits for what stands before.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn from_multiple(angle: f64, multiple: f64, rounded: f64) -> f64 {
     let r = angle - multiple * PI[0] - multiple * PI[1];
     let [a, b, c, d, e, f, g, h, i, j] = SERIES;

@@ -39,7 +39,7 @@ impl<T: Number> State<T> {
     }
 
     /// The state `rates · span` further along a straight line; the attitude is not made unit again.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn along(&self, rates: &Rates<T>, span: T) -> Self {
         Self {
             attitude: self.attitude + rates.attitude * span,
@@ -105,7 +105,7 @@ fn finite(what: &'static str, value: f64) -> Result<(), MotionError> {
 
 impl<T: Number> Rates<T> {
     /// This rate plus `factor` times another.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn plus(&self, other: &Self, factor: T) -> Self {
         Self {
             attitude: self.attitude + other.attitude * factor,

@@ -42,7 +42,7 @@ pub trait Scheme<L> {
 
     /// A step of each of eight bodies side by side, and `true`; or `false`, and nothing has moved, if they have to go one
     /// by one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn block_step(
         &self,
         _law: &L,
@@ -60,7 +60,7 @@ pub trait Scheme<L> {
 
     /// A step of each of eight bodies, `system` giving that of each, and the columns of their Jacobians. One by one,
     /// unless the method knows better.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn block_with_jacobian<const N: usize>(
         &self,
         system: &impl Fn(usize) -> System<f64, L>,

@@ -36,7 +36,7 @@ impl<L: TorqueLaw<f64>> System<f64, L> {
 
 impl<L: TorqueLaw<f64>> System<f64, L> {
     /// The whole torque over another number.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn torque_over<T: Number>(&self, time: T, state: &State<T>) -> Vector3<T>
     where
         L: TorqueLaw<T>,
@@ -76,7 +76,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     /// let start = State::at_rest().turning(Vector3::new(3.0, 0.5, -0.9));
     /// assert!(Rk4.step(&system, 0.0, &start, 0.01).is_finite());
     /// ```
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn over(inertia: Matrix3<T>, law: L, added: Vector3<T>) -> Self {
         let none = |r, c| inertia[(r, c)] == T::zero();
         Self {
@@ -91,7 +91,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 
     /// The same system with another constant torque added to its law, in the axes that the law names. Costs nothing: what is
     /// known of the tensor is kept.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     #[must_use]
     pub fn with_torque(self, added: Vector3<T>) -> Self {
         Self { added, ..self }
@@ -99,7 +99,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 
     /// The same system, its axes known to be principal or not.
     #[cfg(feature = "batch")]
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn along_axes(self, principal: bool) -> Self {
         Self { principal, ..self }
     }
@@ -116,13 +116,13 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     }
 
     /// The inertia tensor.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn inertia(&self) -> &Matrix3<T> {
         &self.inertia
     }
 
     /// Its inverse.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn inverse(&self) -> &Matrix3<T> {
         &self.inverse
     }
@@ -133,19 +133,19 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     }
 
     /// The torque added to the law.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn added(&self) -> &Vector3<T> {
         &self.added
     }
 
     /// The law of torque.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn law(&self) -> &L {
         &self.law
     }
 
     /// The whole torque at a time in a state, body axes.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         let added = match self.law.added_in() {
             Frame::Body => self.added,
@@ -157,7 +157,7 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
     /// ω̇ = I⁻¹ (M − ω × I ω) from the products (yz, zx, xy) and the squares (x², y², z²) of ω, or from the
     /// same coefficient of their series. The moment differences are formed first: (Iω) × ω would lose what a
     /// needle's moments have in common.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn acceleration_of(
         &self,
         products: &Vector3<T>,
@@ -184,18 +184,18 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 
     /// q̇ = ½ q ω, and ω̇ = I⁻¹ (M − ω × I ω) as in
     /// [`angular_acceleration`](crate::mechanics::angular_acceleration), with the inverse formed once.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rates(&self, time: T, state: &State<T>) -> Rates<T> {
         self.rates_under(self.torque(time, state), state)
     }
 
     /// The same at a time of which the clock of the law has given the `reading`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn rates_by(&self, reading: T, state: &State<T>) -> Rates<T> {
         self.rates_under(self.law.torque_by(reading, state, &self.added), state)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn rates_under(&self, torque: Vector3<T>, state: &State<T>) -> Rates<T> {
         let omega = &state.angular_velocity;
         let angular_acceleration = if self.principal {
@@ -213,14 +213,14 @@ impl<T: Number, L: TorqueLaw<T>> System<T, L> {
 }
 
 /// The inverse of a symmetric matrix.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn inverse<T: Number>(m: &Matrix3<T>) -> Matrix3<T> {
     let [xx, yy, zz, xy, xz, yz] = inverse_entries(entries(m), T::one());
     Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
 }
 
 /// The entries xx, yy, zz, xy, xz, yz of a symmetric matrix.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn entries<T: Copy>(m: &Matrix3<T>) -> [T; 6] {
     [
         m[(0, 0)],
@@ -234,7 +234,7 @@ pub(crate) fn entries<T: Copy>(m: &Matrix3<T>) -> [T; 6] {
 
 /// The inverse of a symmetric matrix by its adjugate, without a branch, in the same order of entries. The scale is taken
 /// out first by the trace, so that moments of 1e±150 keep their determinant.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn inverse_entries<T>([xx, yy, zz, xy, xz, yz]: [T; 6], one: T) -> [T; 6]
 where
     T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T> + Div<Output = T>,

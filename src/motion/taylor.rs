@@ -164,7 +164,7 @@ impl TaylorMotion {
         let mut unit = 1.0;
         for _ in 0..=MOST_UNITS {
             at_its_best(
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 || {
                     self.series.become_motion(
                         &mut self.beside,

@@ -20,7 +20,7 @@ pub enum Frame {
 /// A torque as a function of time and state, in body axes, N m.
 ///
 /// A closure `|time: f64, state: &State<f64>| …` is a law over doubles. A law that is to give Jacobians is generic: it
-/// implements this trait for every [`Number`], and for speed its function is `#[inline(always)]`, so that it is compiled for the
+/// implements this trait for every [`Number`], and for speed its function is `#[cfg_attr(not(debug_assertions), inline(always))]`, so that it is compiled for the
 /// machine at hand with the step around it. What is constant in it costs less by [`Number::scaled`] and
 /// [`Quaternion::constant_to_body`] than as a number without derivatives.
 ///
@@ -32,7 +32,7 @@ pub enum Frame {
 /// #[derive(Clone, Copy)]
 /// struct Drag(f64);
 /// impl<T: Number> TorqueLaw<T> for Drag {
-///     #[inline(always)]
+///     #[cfg_attr(not(debug_assertions), inline(always))]
 ///     fn torque(&self, _time: T, state: &State<T>) -> Vector3<T> {
 ///         let spin = state.angular_velocity.z;
 ///         Vector3::new(T::zero(), T::zero(), -(spin * spin).scaled(self.0))
@@ -67,14 +67,14 @@ pub trait TorqueLaw<T: Number> {
 
     /// What the law needs of the times at the start, in the middle and at the end of a step, to be worked out once for all stages:
     /// the sines of a wave. The times themselves unless it is written out, and then [`torque_by`](Self::torque_by) is as well.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn clock(&self, times: [T; 3]) -> [T; 3] {
         times
     }
 
     /// The torque on the body in `state` and one `added` to it in the axes of [`added_in`](Self::added_in), at a time of which
     /// [`clock`](Self::clock) has given the `reading`. Must agree with [`torque`](Self::torque).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque_by(&self, reading: T, state: &State<T>, added: &Vector3<T>) -> Vector3<T> {
         self.torque(reading, state) + in_body(self.added_in(), &state.attitude, *added)
     }
@@ -86,7 +86,7 @@ pub trait TorqueLaw<T: Number> {
 
     /// Calls `work` with the law, at a place of its own for each of the kinds that it may be of: a loop over many bodies
     /// in there need not ask each time.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_kind<R>(self, mut work: impl FnMut(Self) -> R) -> R
     where
         Self: Sized,
@@ -106,7 +106,7 @@ pub trait TorqueLaw<T: Number> {
     }
 
     /// The same at the start, in the middle and at the end of a step. Written out where that is had at less cost together.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn linear_at(&self, [a, b, c]: [f64; 3]) -> Option<[LinearTorque; 3]> {
         Some([self.linear(a)?, self.linear(b)?, self.linear(c)?])
     }
@@ -162,18 +162,18 @@ pub struct Later<L> {
 impl<T: Number, L: TorqueLaw<T>> TorqueLaw<T> for Later<L> {
     const LINEAR: bool = L::LINEAR;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         self.law.torque(time + T::of(self.from), state)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn clock(&self, [a, b, c]: [T; 3]) -> [T; 3] {
         let from = T::of(self.from);
         self.law.clock([a + from, b + from, c + from])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque_by(&self, reading: T, state: &State<T>, added: &Vector3<T>) -> Vector3<T> {
         self.law.torque_by(reading, state, added)
     }
@@ -186,12 +186,12 @@ impl<T: Number, L: TorqueLaw<T>> TorqueLaw<T> for Later<L> {
         self.law.needs_angular_velocity()
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn linear(&self, time: f64) -> Option<LinearTorque> {
         self.law.linear(time + self.from)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn linear_at(&self, [a, b, c]: [f64; 3]) -> Option<[LinearTorque; 3]> {
         let from = self.from;
         self.law.linear_at([a + from, b + from, c + from])
@@ -230,20 +230,20 @@ impl LinearTorque {
 }
 
 impl<F: Fn(f64, &State<f64>) -> Vector3<f64>> TorqueLaw<f64> for F {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque(&self, time: f64, state: &State<f64>) -> Vector3<f64> {
         self(time, state)
     }
 }
 
 /// A vector of doubles as constants of another number.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn lift<T: Number>(v: &Vector3<f64>) -> Vector3<T> {
     v.map(T::of)
 }
 
 /// The components in the body of a vector that is given in `frame`.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn in_body<T: Number>(
     frame: Frame,
     attitude: &Quaternion<T>,

@@ -29,18 +29,18 @@ pub struct Jet<T, const N: usize> {
 
 impl<T: Ring, const N: usize> Jet<T, N> {
     /// A value that does not depend on any direction.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn constant(value: T) -> Self {
         Self::with(value, |_| T::zero())
     }
 
     /// The variable of direction `direction`, at `value`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn variable(value: T, direction: usize) -> Self {
         Self::with(value, |i| if i == direction { T::one() } else { T::zero() })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with(value: T, partial: impl FnMut(usize) -> T) -> Self {
         Self {
             value,
@@ -51,7 +51,7 @@ impl<T: Ring, const N: usize> Jet<T, N> {
 
 impl<T: Ring> Jet<T, 1> {
     /// A quantity and its rate.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn moving(value: T, rate: T) -> Self {
         Self {
             value,
@@ -60,7 +60,7 @@ impl<T: Ring> Jet<T, 1> {
     }
 
     /// The derivative in the single direction.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub fn rate(&self) -> T {
         self.partials[0].clone()
     }
@@ -68,7 +68,7 @@ impl<T: Ring> Jet<T, 1> {
 
 impl<T: Ring, const N: usize> Add for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add(self, other: Self) -> Self {
         let (p, q) = (self.partials, other.partials);
         Self::with(self.value + other.value, |i| p[i].clone() + q[i].clone())
@@ -77,7 +77,7 @@ impl<T: Ring, const N: usize> Add for Jet<T, N> {
 
 impl<T: Ring, const N: usize> Sub for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sub(self, other: Self) -> Self {
         let (p, q) = (self.partials, other.partials);
         Self::with(self.value - other.value, |i| p[i].clone() - q[i].clone())
@@ -86,7 +86,7 @@ impl<T: Ring, const N: usize> Sub for Jet<T, N> {
 
 impl<T: Ring, const N: usize> Neg for Jet<T, N> {
     type Output = Self;
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn neg(self) -> Self {
         Self {
             value: -self.value,
@@ -98,7 +98,7 @@ impl<T: Ring, const N: usize> Neg for Jet<T, N> {
 impl<T: Ring, const N: usize> Mul for Jet<T, N> {
     type Output = Self;
     /// (ab)' = a'b + ab'.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn mul(self, other: Self) -> Self {
         let (a, p, b, q) = (self.value, self.partials, other.value, other.partials);
         Self::with(a.clone() * b.clone(), |i| {
@@ -110,7 +110,7 @@ impl<T: Ring, const N: usize> Mul for Jet<T, N> {
 impl<T: Field, const N: usize> Div for Jet<T, N> {
     type Output = Self;
     /// (a/b)' = (a' − (a/b) b') / b.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn div(self, other: Self) -> Self {
         let (p, b, q) = (self.partials, other.value, other.partials);
         let quotient = self.value / b.clone();
@@ -123,7 +123,7 @@ impl<T: Field, const N: usize> Div for Jet<T, N> {
 macro_rules! assigning {
     ($($name:ident $method:ident $by:tt $bound:ident)*) => {$(
         impl<T: $bound, const N: usize> $name for Jet<T, N> {
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(&mut self, other: Self) {
                 *self = self.clone() $by other;
             }
@@ -133,19 +133,19 @@ macro_rules! assigning {
 assigning! { AddAssign add_assign + Ring SubAssign sub_assign - Ring MulAssign mul_assign * Ring DivAssign div_assign / Field }
 
 impl<T: Ring, const N: usize> Zero for Jet<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn zero() -> Self {
         Self::constant(T::zero())
     }
     /// Zero with all its derivatives: a jet whose value alone vanishes is not zero.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn is_zero(&self) -> bool {
         self.value.is_zero() && self.partials.iter().all(T::is_zero)
     }
 }
 
 impl<T: Ring, const N: usize> One for Jet<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn one() -> Self {
         Self::constant(T::one())
     }
@@ -154,13 +154,13 @@ impl<T: Ring, const N: usize> One for Jet<T, N> {
 impl<T: Field, const N: usize> Field for Jet<T, N> {}
 
 impl<T: Real, const N: usize> Real for Jet<T, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sqrt(&self) -> Self {
         let root = self.value.sqrt();
         let twice = root.clone() + root.clone();
         Self::with(root, |i| self.partials[i].clone() / twice.clone())
     }
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sin_cos(&self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
         let rate = |i: usize| self.partials[i].clone();

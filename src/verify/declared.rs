@@ -5,10 +5,10 @@ use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
 use crate::verify::declarations::Declared;
+use crate::verify::declared::cases::in_all_cases;
 use crate::verify::declared::judgment::{Judgment, judgments};
 use crate::verify::declared::lead::Lead;
 use crate::verify::facts::proof::uses;
-use crate::verify::language::messages::{IN_BOTH_CASES, OPEN_CASE};
 use crate::verify::language::rate_letters::with_rates;
 use crate::verify::language::statement::{Declaration, Statement};
 use crate::verify::language::wants::Wants;
@@ -22,6 +22,7 @@ use crate::verify::verdict::{
 };
 use std::collections::{BTreeMap, HashMap, HashSet};
 
+mod cases;
 mod judgment;
 mod lead;
 
@@ -50,37 +51,6 @@ pub fn check_declared(document: &Document, declared: &Declared) -> Report {
     let mut judgments = judgments(document, &declared.declarations, std::iter::empty());
     judgments.iter_mut().for_each(Judgment::correct);
     whole_report(document, declared, &judgments)
-}
-
-/// The report of the first case, where each line has the verdict that it has in all of them, or none.
-fn in_all_cases(mut first: Report, others: &[Report]) -> Report {
-    for (at, finding) in first.findings.iter_mut().enumerate() {
-        let same = |other: &Report| {
-            let other = other.findings.get(at);
-            other.is_some_and(|other| {
-                other.span == finding.span && other.verdict.name() == finding.verdict.name()
-            })
-        };
-        match others.iter().all(same) {
-            true if matches!(finding.verdict, Verdict::Proved(_)) => {
-                finding.remarks.push(IN_BOTH_CASES.to_owned());
-            }
-            true => {}
-            false => leave_open(finding),
-        }
-    }
-    first
-}
-
-fn leave_open(finding: &mut Finding) {
-    finding.verdict = Verdict::Undecided;
-    finding.reason = Some(OPEN_CASE.to_owned());
-    finding.uses.clear();
-    finding.conditions.clear();
-    finding.residual = None;
-    finding.counterexample = None;
-    finding.diagnosis = None;
-    finding.follows_from = None;
 }
 
 /// The same without looking for what would put false lines right.

@@ -24,6 +24,7 @@ pub(crate) mod orders;
 pub(crate) mod parts;
 pub(crate) mod premises;
 pub(crate) mod prepared;
+mod principal_axes;
 pub(crate) mod purposes;
 pub(crate) mod recalled;
 pub(crate) mod roles;

@@ -54,7 +54,7 @@ struct Run<'a, B, F> {
 impl<B, F: Fn(usize, &mut B) -> Option<Failed>> WithSimd for Run<'_, B, F> {
     type Output = Option<Failed>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_simd<S: Simd>(self, _: S) -> Option<Failed> {
         let mut failed = None;
         for (i, block) in self.blocks.iter_mut().enumerate() {

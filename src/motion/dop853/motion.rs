@@ -194,7 +194,7 @@ impl<L: TorqueLaw<f64>> Dop853Motion<L> {
                 break;
             }
             let (raw, error) = at_its_best(
-                #[inline(always)]
+                #[cfg_attr(not(debug_assertions), inline(always))]
                 || {
                     self.stages.go_on(&self.system, self.end, step);
                     let raw = self.stages.end(step);
@@ -296,7 +296,7 @@ fn first_step(state: &Lane<f64>, slope: &Lane<f64>, tolerance: f64) -> f64 {
 }
 
 /// The error of a step to `end`, from the comparison with orders 5 and 3.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn error(stages: &Stages<f64>, end: &Lane<f64>, step: f64) -> f64 {
     let (start, slopes) = (&stages.places[0], &stages.slopes);
     let fifth = sum(slopes, OVER_FIFTH);

@@ -5,7 +5,7 @@ use nalgebra::SMatrix;
 
 /// Takes derivatives of the state before a step to those of the state after it: its Jacobian in the state times each column, and
 /// besides what the step itself gives to that column. The columns are those of a Jacobian from number `from` on.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::motion) fn chain<const N: usize, const M: usize>(
     columns: &mut SMatrix<f64, 6, M>,
     from: usize,
@@ -28,7 +28,7 @@ struct Chain<'a, const N: usize, const M: usize> {
 impl<const N: usize, const M: usize> Work for Chain<'_, N, M> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<R: Registers>(self, registers: R) {
         // With room for the widest register behind the sixth row.
         let mut padded = [[0.0; 8]; N];

@@ -217,7 +217,7 @@ struct Step<'a> {
 impl Work for Step<'_> {
     type Output = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<R: Registers>(self, registers: R) {
         for eight in self.eights {
             for first in (0..LANES).step_by(R::LANES) {
@@ -236,7 +236,7 @@ impl Work for Step<'_> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn store<R: Registers>(registers: R, lanes: &mut Columns, first: usize, wide: [R::Wide; 6]) {
     for i in 0..6 {
         registers.store(wide[i], &mut lanes[i][first..]);
@@ -244,7 +244,7 @@ fn store<R: Registers>(registers: R, lanes: &mut Columns, first: usize, wide: [R
 }
 
 /// The columns and `span` times a sum of their slopes.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn onward<R: Registers>(
     registers: R,
     eight: &Eight,
@@ -264,7 +264,7 @@ fn onward<R: Registers>(
 }
 
 /// The rates of columns at a stage.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rate<R: Registers>(
     registers: R,
     stage: &Stage,
@@ -298,7 +298,7 @@ fn rate<R: Registers>(
 }
 
 /// `onto` plus a matrix times a vector.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn plus_applied<R: Registers>(
     registers: R,
     mut onto: [R::Wide; 3],

@@ -23,17 +23,17 @@ impl<const N: usize> Registers for Built<N> {
     type Wide = Pack<N>;
     const LANES: usize = N;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn splat(self, value: f64) -> Pack<N> {
         Pack([value; N])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn load(self, values: &[f64]) -> Pack<N> {
         Pack(values.first_chunk().copied().unwrap_or([0.0; N]))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn store(self, wide: Pack<N>, values: &mut [f64]) {
         if let Some(room) = values.first_chunk_mut() {
             *room = wide.0;
@@ -42,7 +42,7 @@ impl<const N: usize> Registers for Built<N> {
 }
 
 /// sum + a b, in one rounding where the machine has it.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn fused(sum: f64, a: f64, b: f64) -> f64 {
     if cfg!(any(target_feature = "fma", target_arch = "aarch64")) {
         a.mul_add(b, sum)
@@ -52,7 +52,7 @@ fn fused(sum: f64, a: f64, b: f64) -> f64 {
 }
 
 impl<const N: usize> Arithmetic for Pack<N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
             self.0[i] = fused(self.0[i], a.0[i], b.0[i]);
@@ -60,7 +60,7 @@ impl<const N: usize> Arithmetic for Pack<N> {
         self
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less_product(mut self, a: Self, b: Self) -> Self {
         for i in 0..N {
             self.0[i] = fused(self.0[i], -a.0[i], b.0[i]);
@@ -68,12 +68,12 @@ impl<const N: usize> Arithmetic for Pack<N> {
         self
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(self, value: f64) -> Self {
         Self([value; N])
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(mut self) -> Self {
         for lane in &mut self.0 {
             *lane = lane.sqrt();
@@ -86,7 +86,7 @@ macro_rules! lane_by_lane {
     ($($operator:ident $method:ident;)*) => {$(
         impl<const N: usize> $operator for Pack<N> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(mut self, other: Self) -> Self {
                 for i in 0..N {
                     self.0[i] = self.0[i].$method(other.0[i]);

@@ -13,7 +13,7 @@ struct Line(#[allow(dead_code, reason = "its place alone matters")] u8);
 impl<W: Work> WithSimd for Dispatched<W> {
     type Output = W::Output;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_simd<S: Simd>(self, simd: S) -> W::Output {
         // With something on the stack that has to stand at the start of a line, the compiler puts registers aside at such
         // places too; otherwise most of them lie across two lines, or none, as the caller's stack happens to stand.
@@ -27,7 +27,7 @@ pub(super) struct Plain<F>(pub(super) F);
 impl<T, F: FnOnce() -> T> WithSimd for Plain<F> {
     type Output = T;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_simd<S: Simd>(self, _: S) -> T {
         (self.0)()
     }
@@ -38,7 +38,7 @@ pub(super) struct OneAtATime<W>(pub(super) W);
 impl<W: Work> WithSimd for OneAtATime<W> {
     type Output = W::Output;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn with_simd<S: Simd>(self, _: S) -> W::Output {
         // Four doubles and more come with fused products.
         if S::F64_LANES >= 4 {
@@ -60,17 +60,17 @@ impl<const FUSED: bool> Registers for Single<FUSED> {
     type Wide = One<FUSED>;
     const LANES: usize = 1;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn splat(self, value: f64) -> One<FUSED> {
         One(value)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn load(self, values: &[f64]) -> One<FUSED> {
         One(values.first().copied().unwrap_or_default())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn store(self, wide: One<FUSED>, values: &mut [f64]) {
         if let Some(first) = values.first_mut() {
             *first = wide.0;
@@ -79,7 +79,7 @@ impl<const FUSED: bool> Registers for Single<FUSED> {
 }
 
 impl<const FUSED: bool> Arithmetic for One<FUSED> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         Self(match FUSED {
             true => a.0.mul_add(b.0, self.0),
@@ -87,7 +87,7 @@ impl<const FUSED: bool> Arithmetic for One<FUSED> {
         })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less_product(self, a: Self, b: Self) -> Self {
         Self(match FUSED {
             true => (-a.0).mul_add(b.0, self.0),
@@ -95,12 +95,12 @@ impl<const FUSED: bool> Arithmetic for One<FUSED> {
         })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(self, value: f64) -> Self {
         Self(value)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(self) -> Self {
         Self(self.0.sqrt())
     }
@@ -118,12 +118,12 @@ impl<S: Simd> Registers for Widest<S> {
     type Wide = Wide<S>;
     const LANES: usize = S::F64_LANES;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn splat(self, value: f64) -> Wide<S> {
         Wide(self.0, self.0.splat_f64s(value))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn load(self, values: &[f64]) -> Wide<S> {
         match S::as_simd_f64s(values).0.first() {
             Some(wide) => Wide(self.0, *wide),
@@ -131,7 +131,7 @@ impl<S: Simd> Registers for Widest<S> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn store(self, wide: Wide<S>, values: &mut [f64]) {
         if let Some(first) = S::as_mut_simd_f64s(values).0.first_mut() {
             *first = wide.1;
@@ -140,22 +140,22 @@ impl<S: Simd> Registers for Widest<S> {
 }
 
 impl<S: Simd> Arithmetic for Wide<S> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn plus_product(self, a: Self, b: Self) -> Self {
         Self(self.0, self.0.mul_add_e_f64s(a.1, b.1, self.1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn less_product(self, a: Self, b: Self) -> Self {
         Self(self.0, self.0.negate_mul_add_e_f64s(a.1, b.1, self.1))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn constant(self, value: f64) -> Self {
         Self(self.0, self.0.splat_f64s(value))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn root(self) -> Self {
         Self(self.0, self.0.sqrt_f64s(self.1))
     }
@@ -165,7 +165,7 @@ macro_rules! lane_by_lane {
     ($($operator:ident $method:ident $lanes:ident;)*) => {$(
         impl<S: Simd> $operator for Wide<S> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self(self.0, self.0.$lanes(self.1, other.1))
             }
@@ -173,7 +173,7 @@ macro_rules! lane_by_lane {
 
         impl<const FUSED: bool> $operator for One<FUSED> {
             type Output = Self;
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn $method(self, other: Self) -> Self {
                 Self(self.0.$method(other.0))
             }

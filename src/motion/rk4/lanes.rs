@@ -35,7 +35,7 @@ struct Eight<'a, L> {
 impl<L: TorqueLaw<f64>> Work for Eight<'_, L> {
     type Output = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<R: Registers>(self, registers: R) -> bool {
         let (law, time, step) = (self.law, self.time, self.step);
         let Some([a, b, c]) = law.linear_at([time, time + step * 0.5, time + step]) else {
@@ -70,7 +70,7 @@ struct Moment<T> {
 }
 
 impl<T: Arithmetic> Moment<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of<R: Registers<Wide = T>>(registers: R, torque: &LinearTorque) -> Self {
         let [x, y, z] = torque.at_rest.into();
         let mut by_omega = None;
@@ -90,7 +90,7 @@ impl<T: Arithmetic> Moment<T> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, [x, y, z]: [T; 3]) -> [T; 3] {
         let mut torque = self.at_rest;
         if let Some(rows) = self.by_omega {
@@ -123,7 +123,7 @@ struct Principal<T> {
 }
 
 impl<T: Arithmetic> Principal<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new([x, y, z]: [T; 3], inverse: [T; 3]) -> Self {
         Self {
             differences: [y - z, z - x, x - y],
@@ -133,7 +133,7 @@ impl<T: Arithmetic> Principal<T> {
 }
 
 impl<T: Arithmetic> Inertia<T> for Full<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acceleration(&self, [a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
         let [l, m, n] = times(self.entries, [x, y, z]);
         let net = [
@@ -146,7 +146,7 @@ impl<T: Arithmetic> Inertia<T> for Full<T> {
 }
 
 impl<T: Arithmetic> Inertia<T> for Principal<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acceleration(&self, [a, b, c]: [T; 3], [x, y, z]: [T; 3]) -> [T; 3] {
         let ([d, e, f], [p, q, r]) = (self.differences, self.inverse);
         [
@@ -158,7 +158,7 @@ impl<T: Arithmetic> Inertia<T> for Principal<T> {
 }
 
 /// A symmetric matrix times a vector.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn times<T: Arithmetic>([xx, yy, zz, xy, xz, yz]: [T; 6], [x, y, z]: [T; 3]) -> [T; 3] {
     [
         xx * x + xy * y + xz * z,
@@ -176,7 +176,7 @@ struct Lanes<'a, R: Registers> {
 }
 
 impl<R: Registers> Lanes<'_, R> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn splat<const N: usize>(&self, values: [f64; N]) -> [R::Wide; N] {
         let mut wide = [self.registers.splat(0.0); N];
         for i in 0..N {
@@ -185,7 +185,7 @@ impl<R: Registers> Lanes<'_, R> {
         wide
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn loaded<const N: usize>(&self, lanes: &[Lane; N]) -> [R::Wide; N] {
         let mut wide = [self.registers.splat(0.0); N];
         for i in 0..N {
@@ -194,7 +194,7 @@ impl<R: Registers> Lanes<'_, R> {
         wide
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(&self, tensors: &Tensors<'_>, block: &mut Block) {
         match tensors {
             Tensors::Principal { moments, inverse } => self.advance(
@@ -223,7 +223,7 @@ impl<R: Registers> Lanes<'_, R> {
     }
 
     /// The step, the operations in the order of the generic one.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn advance(&self, block: &mut Block, tensor: &impl Inertia<R::Wide>) {
         let start = self.loaded(block.lanes());
         let [at_start, midway, at_end] = self.moments;
@@ -255,7 +255,7 @@ impl<R: Registers> Lanes<'_, R> {
 }
 
 /// w, x, y, z and ω a span further.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn along<T: Arithmetic>(mut state: [T; 7], rates: [T; 7], span: T) -> [T; 7] {
     for i in 0..7 {
         state[i] = state[i] + rates[i] * span;
@@ -264,7 +264,7 @@ fn along<T: Arithmetic>(mut state: [T; 7], rates: [T; 7], span: T) -> [T; 7] {
 }
 
 /// q̇ = ½ q ω and ω̇.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn rates<T: Arithmetic>(
     tensor: &impl Inertia<T>,
     moment: &Moment<T>,

@@ -17,7 +17,7 @@ pub(super) struct Moments<T> {
 
 impl<T: Number> Moments<T> {
     /// With what stands beside order 0.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn begin(
         first: &mut Term<T>,
         system: &System<T, Torque>,
@@ -76,7 +76,7 @@ impl<T: Number> Moments<T> {
     }
 
     /// The coefficient of the torque in body axes of the highest of these orders.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn coefficient(&self, terms: &[Term<T>]) -> Vector3<T> {
         let none = Vector3::from_element(T::zero());
         let Some(last) = terms.last() else {
@@ -110,7 +110,7 @@ impl<T: Number> Moments<T> {
     }
 
     /// Grows a sinusoid from order `n` to the next; `next` is 1/(n + 1).
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn carry(&self, terms: &mut [Term<T>; MOST + 1], n: usize, next: T) {
         if let Torque::Sinusoid {
             angular_frequency, ..

@@ -191,7 +191,7 @@ impl Series<f64> {
 /// carried along all the same: without it a register is taken apart.
 pub(super) type Turned<T> = [Lane<T>; 3];
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<T: Number>(v: Lane<T>) -> Turned<T> {
     let [x, y, z, fourth] = v;
     [v, [y, z, x, fourth], [z, x, y, fourth]]
@@ -221,7 +221,7 @@ impl Wanted {
     /// The coefficients of the highest of these orders: sums of products of the first with the last and so on. Those in
     /// which the last one stands are added at the end, so that the sum of all others does not wait for it; and all sums in
     /// one loop, as its end is seldom foreseen by the processor.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn convolved<T: Number>(&self, terms: &[Term<T>]) -> Sums<T> {
         let zero = [T::zero(); 4];
         let mut sums = Sums {
@@ -245,7 +245,7 @@ impl Wanted {
         sums
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn add<T: Number>(&self, sums: &mut Sums<T>, a: &Term<T>, b: &Term<T>) {
         let [straight, ahead, behind] = &b.omega;
         add_products(&mut sums.products, &a.omega[1], behind);
@@ -267,14 +267,14 @@ impl Wanted {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_products<T: Number>(sum: &mut Lane<T>, a: &Lane<T>, b: &Lane<T>) {
     for i in 0..4 {
         sum[i] += a[i] * b[i];
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn add_cross<T: Number>(
     sum: &mut Lane<T>,
     [_, a, b]: &Turned<T>,
@@ -287,7 +287,7 @@ fn add_cross<T: Number>(
 }
 
 /// q i, q j, q k.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn units<T: Number>([w, x, y, z]: &Lane<T>) -> [Lane<T>; 3] {
     let (w, x, y, z) = (*w, *x, *y, *z);
     [[-x, w, z, -y], [-y, -z, w, x], [-z, y, -x, w]]

@@ -27,17 +27,17 @@ pub trait Coefficient<T: Number>: Scalar + Copy + Zero + Neg<Output = Self> {
 impl<T: Number> Coefficient<T> for f64 {
     const CONSTANT: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn times(self, number: T) -> T {
         number.scaled(self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn number(self) -> T {
         T::of(self)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn value(self) -> f64 {
         self
     }
@@ -48,17 +48,17 @@ macro_rules! variable {
         impl<$($generics)*> Coefficient<$number> for $number {
             const CONSTANT: bool = false;
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn times(self, number: Self) -> Self {
                 self * number
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn number(self) -> Self {
                 self
             }
 
-            #[inline(always)]
+            #[cfg_attr(not(debug_assertions), inline(always))]
             fn value(self) -> f64 {
                 self.$value
             }
@@ -118,7 +118,7 @@ pub enum Law<C> {
 impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
     const LINEAR: bool = C::CONSTANT;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque(&self, time: T, state: &State<T>) -> Vector3<T> {
         match self {
             Self::None => Vector3::from_element(T::zero()),
@@ -146,7 +146,7 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn clock(&self, times: [T; 3]) -> [T; 3] {
         match self {
             Self::Sinusoid {
@@ -164,7 +164,7 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn torque_by(&self, reading: T, state: &State<T>, added: &Vector3<T>) -> Vector3<T> {
         let (frame, own) = match self {
             Self::Constant {
@@ -188,7 +188,7 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_kind<R>(self, mut work: impl FnMut(Self) -> R) -> R {
         match self {
             Self::None => work(Self::None),
@@ -209,13 +209,13 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
         matches!(self, Self::Damping { .. })
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn linear(&self, time: f64) -> Option<LinearTorque> {
         let [torque, ..] = self.linear_at([time; 3])?;
         Some(torque)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn linear_at(&self, times: [f64; 3]) -> Option<[LinearTorque; 3]> {
         if !C::CONSTANT {
             return None;
@@ -260,13 +260,13 @@ impl<T: Number, C: Coefficient<T>> TorqueLaw<T> for Law<C> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn values<T: Number, C: Coefficient<T>>(v: &Vector3<C>) -> Vector3<f64> {
     Vector3::new(v.x.value(), v.y.value(), v.z.value())
 }
 
 /// A torque that depends on the time alone, in the axes of a frame.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn in_frame(frame: Frame, value: Vector3<f64>, by_time: Vector3<f64>) -> LinearTorque {
     match frame {
         Frame::Body => LinearTorque {

@@ -1,7 +1,8 @@
 //! The words of running text that lead to a formula.
 
 use crate::notation::document::{Formula, Item};
-use crate::verify::declared::{Rows, leave_open};
+use crate::verify::declared::Rows;
+use crate::verify::declared::cases::leave_open;
 use crate::verify::language::messages::under_condition;
 use crate::verify::language::spoken_conditions::condition_in;
 use crate::verify::verdict::{Finding, Verdict};

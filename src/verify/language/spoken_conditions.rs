@@ -33,6 +33,9 @@ const WHERE: [&str; 26] = [
     "for the case",
 ];
 
+/// Behind these words a condition says what the writer does: "if we take the moments about O".
+const WRITERS: [&str; 4] = ["i", "we", "you", "one"];
+
 /// The condition that a sentence puts, from the word that begins it. "when differentiating" says how, and not when.
 pub(crate) fn condition_in(sentence: &str) -> Option<&str> {
     let starts = sentence
@@ -48,7 +51,9 @@ pub(crate) fn condition_in(sentence: &str) -> Option<&str> {
 fn begins_condition(rest: &str) -> bool {
     let mut words = rest.split_whitespace();
     let (first, second) = (words.next().unwrap_or_default(), words.next());
-    let says_how = second.is_some_and(|word| word.ends_with("ing"));
+    let says_how = second.is_some_and(|word| {
+        word.ends_with("ing") || WRITERS.iter().any(|one| word.eq_ignore_ascii_case(one))
+    });
     let is = |word: &&str| first.eq_ignore_ascii_case(word);
     let place = |phrase: &&str| {
         let start = rest.get(..phrase.len());

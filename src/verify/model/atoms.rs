@@ -216,16 +216,6 @@ impl Atoms {
         self.list.len()
     }
 
-    /// What letters of the document tell that are properties of bodies.
-    pub(crate) fn told_properties(&self) -> impl Iterator<Item = Variable> {
-        let moves = |v: &Variable| matches!(self.atom(*v).place, Place::Rate | Place::Acceleration);
-        let letters = self.list.iter();
-        let letters = letters.filter(|atom| matches!(atom.key.space, Space::Letter(_)));
-        let laws = letters.filter_map(|atom| atom.law.as_ref());
-        let told = laws.map(|law| law.value.variables());
-        told.filter(move |told| !told.iter().any(moves)).flatten()
-    }
-
     /// All from one on.
     pub(super) fn from(&self, first: usize) -> &[Atom] {
         self.list.get(first..).unwrap_or_default()

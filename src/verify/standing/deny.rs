@@ -9,7 +9,7 @@ use crate::verify::facts::proof::prove;
 use crate::verify::facts::small::Small;
 use crate::verify::facts::world::World;
 use crate::verify::language::messages;
-use crate::verify::model::atoms::{Nature, Space};
+use crate::verify::model::atoms::Nature;
 use crate::verify::model::loads::Called;
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::Premise;
@@ -23,7 +23,7 @@ use crate::verify::standing::verdicts::{Answer, Standing};
 use crate::verify::term::integrals::has_integral;
 
 use num_traits::Zero;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 impl Judge<'_> {
@@ -90,25 +90,6 @@ impl Judge<'_> {
             let mut letters = load.value.iter().flat_map(Fraction::variables);
             !listed(agent) && !listed(on) && letters.any(|letter| told.contains(&letter))
         })
-    }
-
-    /// The name of a body by whose products of inertia alone differences do not vanish, where no letter tells of these: its
-    /// axes may be principal.
-    fn vanish_on_principal_axes(&self, residuals: &[Fraction]) -> Option<String> {
-        let atoms = &self.reading.system.atoms;
-        let told: BTreeSet<Variable> = atoms.told_properties().collect();
-        let variables = residuals.iter().flat_map(Fraction::variables);
-        let untold = variables.filter_map(|v| match atoms.atom(v).key.space {
-            Space::UntoldProduct(body) if !told.contains(&v) => Some((v, body)),
-            _ => None,
-        });
-        let untold: BTreeMap<Variable, BodyId> = untold.collect();
-        let body = *untold.values().next()?;
-        let vanish = residuals.iter().all(|residual| {
-            let mut terms = residual.numerator().terms().iter();
-            terms.all(|(term, _)| term.factors().any(|(v, _)| untold.contains_key(&v)))
-        });
-        vanish.then(|| self.reading.system.bodies[body].name.clone())
     }
 
     /// Keeps in mind a line that is taken as given and of which nothing is made: others may hold by it.

@@ -10,7 +10,7 @@ pub(in crate::motion::jacobian) type Vector<T> = [T; 3];
 /// Scalar first.
 pub(super) type Turn<T> = [T; 4];
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn plus<T: Arithmetic, const N: usize>(mut a: [T; N], b: [T; N]) -> [T; N] {
     for i in 0..N {
         a[i] = a[i] + b[i];
@@ -18,7 +18,7 @@ pub(super) fn plus<T: Arithmetic, const N: usize>(mut a: [T; N], b: [T; N]) -> [
     a
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn minus<T: Arithmetic, const N: usize>(mut a: [T; N], b: [T; N]) -> [T; N] {
     for i in 0..N {
         a[i] = a[i] - b[i];
@@ -26,7 +26,7 @@ pub(super) fn minus<T: Arithmetic, const N: usize>(mut a: [T; N], b: [T; N]) -> 
     a
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn times<T: Arithmetic, const N: usize>(mut a: [T; N], factor: T) -> [T; N] {
     for component in &mut a {
         *component = *component * factor;
@@ -35,7 +35,7 @@ pub(super) fn times<T: Arithmetic, const N: usize>(mut a: [T; N], factor: T) -> 
 }
 
 /// a + b · factor.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn plus_times<T: Arithmetic, const N: usize>(
     mut a: [T; N],
     b: [T; N],
@@ -47,7 +47,7 @@ pub(super) fn plus_times<T: Arithmetic, const N: usize>(
     a
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn dot<T: Arithmetic, const N: usize>(a: [T; N], b: [T; N]) -> T {
     let mut sum = a[0] * b[0];
     for i in 1..N {
@@ -56,7 +56,7 @@ pub(super) fn dot<T: Arithmetic, const N: usize>(a: [T; N], b: [T; N]) -> T {
     sum
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn cross<T: Arithmetic>([a, b, c]: Vector<T>, [x, y, z]: Vector<T>) -> Vector<T> {
     [
         (b * z).less_product(c, y),
@@ -66,7 +66,7 @@ pub(super) fn cross<T: Arithmetic>([a, b, c]: Vector<T>, [x, y, z]: Vector<T>) -
 }
 
 /// A vector plus a product of two.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::motion::jacobian) fn plus_cross<T: Arithmetic>(
     [p, q, r]: Vector<T>,
     [a, b, c]: Vector<T>,
@@ -80,19 +80,19 @@ pub(in crate::motion::jacobian) fn plus_cross<T: Arithmetic>(
 }
 
 /// A matrix times a vector.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn applied<T: Arithmetic>([a, b, c]: [Vector<T>; 3], v: Vector<T>) -> Vector<T> {
     [dot(a, v), dot(b, v), dot(c, v)]
 }
 
 /// A covector times a matrix.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn pulled<T: Arithmetic>([a, b, c]: [Vector<T>; 3], [x, y, z]: Vector<T>) -> Vector<T> {
     plus_times(plus_times(times(a, x), b, y), c, z)
 }
 
 /// Each number in all lanes.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::motion::jacobian) fn splat<R: Registers, const N: usize>(
     registers: R,
     values: [f64; N],
@@ -105,7 +105,7 @@ pub(in crate::motion::jacobian) fn splat<R: Registers, const N: usize>(
 }
 
 /// The same of a matrix.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn splat_rows<R: Registers>(
     registers: R,
     [a, b, c]: [Vector<f64>; 3],
@@ -118,7 +118,7 @@ pub(super) fn splat_rows<R: Registers>(
 }
 
 /// Numbers of each lane from `first` on.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::motion::jacobian) fn loaded<R: Registers, const N: usize>(
     registers: R,
     lanes: &[Lane; N],
@@ -133,7 +133,7 @@ pub(in crate::motion::jacobian) fn loaded<R: Registers, const N: usize>(
 
 /// The matrix of a turn, whose rows are the axes that it starts from: v ↦ q v q⁻¹ for a unit q, and |q|² times that for any
 /// other.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn axes<T: Arithmetic>([w, a, b, c]: Turn<T>) -> [Vector<T>; 3] {
     let two = w.constant(2.0);
     let [p, q, r] = [w * two, a * two, b * two];
@@ -160,7 +160,7 @@ pub(super) fn axes<T: Arithmetic>([w, a, b, c]: Turn<T>) -> [Vector<T>; 3] {
 }
 
 /// The product of a turn and a pure quaternion.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned<T: Arithmetic>([w, a, b, c]: Turn<T>, [x, y, z]: Vector<T>) -> Turn<T> {
     let zero = w.constant(0.0);
     [
@@ -174,7 +174,7 @@ pub(super) fn turned<T: Arithmetic>([w, a, b, c]: Turn<T>, [x, y, z]: Vector<T>)
 }
 
 /// The product of a pure quaternion and a turn.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turning<T: Arithmetic>([x, y, z]: Vector<T>, [w, a, b, c]: Turn<T>) -> Turn<T> {
     let zero = w.constant(0.0);
     [
@@ -188,7 +188,7 @@ pub(super) fn turning<T: Arithmetic>([x, y, z]: Vector<T>, [w, a, b, c]: Turn<T>
 }
 
 /// The vector part of p⁻¹ q for a unit p, and |p|² times that for any other.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn between<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T>) -> Vector<T> {
     let gained = [
         (w * x).less_product(a, s),
@@ -199,7 +199,7 @@ pub(super) fn between<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T
 }
 
 /// The vector part of q p⁻¹ for a unit p, and |p|² times that for any other.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn before<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T>) -> Vector<T> {
     let gained = [
         (w * x).less_product(a, s),
@@ -210,7 +210,7 @@ pub(super) fn before<T: Arithmetic>([w, a, b, c]: Turn<T>, [s, x, y, z]: Turn<T>
 }
 
 /// A turn less the product of another and a pure quaternion: the way back through that product.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn turned_back<T: Arithmetic>(
     [p, q, r, s]: Turn<T>,
     [w, a, b, c]: Turn<T>,

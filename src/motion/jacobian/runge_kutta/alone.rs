@@ -21,7 +21,7 @@ pub(super) trait Task {
 }
 
 /// Does a task with a step of one body; `false` if the law is said to be linear and is not.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn alone<R: Registers, L: SmoothLaw>(
     registers: R,
     system: &System<f64, L>,
@@ -66,7 +66,7 @@ pub(super) fn alone<R: Registers, L: SmoothLaw>(
     true
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn with_tensor<R: Registers, L: TorqueLaw<f64>>(
     registers: R,
     system: &System<f64, L>,
@@ -84,7 +84,7 @@ fn with_tensor<R: Registers, L: TorqueLaw<f64>>(
 }
 
 /// The state after the step.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn end<R: Registers, I: Tensor<R::Wide>, D: Copy>(
     registers: R,
     stages: &Stages<R::Wide, I, D>,
@@ -97,7 +97,7 @@ pub(super) fn end<R: Registers, I: Tensor<R::Wide>, D: Copy>(
 }
 
 /// What stands in the first lane of each.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn firsts<R: Registers, const N: usize>(registers: R, wide: [R::Wide; N]) -> [f64; N] {
     let mut firsts = [0.0; N];
     for i in 0..N {
@@ -106,7 +106,7 @@ pub(super) fn firsts<R: Registers, const N: usize>(registers: R, wide: [R::Wide;
     firsts
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn full<L: TorqueLaw<f64>>(system: &System<f64, L>) -> Full<f64> {
     Full {
         entries: entries(system.inertia()),
@@ -114,7 +114,7 @@ pub(super) fn full<L: TorqueLaw<f64>>(system: &System<f64, L>) -> Full<f64> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn principal<L: TorqueLaw<f64>>(system: &System<f64, L>) -> Principal<f64> {
     let [x, y, z, ..] = entries(system.inertia());
     let [a, b, c, ..] = entries(system.inverse());
@@ -125,7 +125,7 @@ pub(super) fn principal<L: TorqueLaw<f64>>(system: &System<f64, L>) -> Principal
 }
 
 impl Full<f64> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn splat<R: Registers>(&self, registers: R) -> Full<R::Wide> {
         Full {
             entries: splat(registers, self.entries),
@@ -135,7 +135,7 @@ impl Full<f64> {
 }
 
 impl Principal<f64> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn splat<R: Registers>(&self, registers: R) -> Principal<R::Wide> {
         Principal {
             ratios: splat(registers, self.ratios),

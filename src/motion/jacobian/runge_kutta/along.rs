@@ -39,7 +39,7 @@ struct Moved<T> {
 type Along<T, K> = Stage<T, K, Vector<T>>;
 
 /// The step, and the change of (θ', ω') with a direction.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn along<T: Arithmetic, I: Tensor<T>, M: Moments<T>>(
     tensor: I,
     moments: &M,
@@ -115,7 +115,7 @@ struct Way<T> {
 }
 
 impl<T: Arithmetic> Way<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(direction: &Direction<T>, start: &Start<T>) -> Self {
         let (number, step) = (|value: f64| start.omega[0].constant(value), start.step);
         let [x, y, z] = times(direction.theta, number(0.5));
@@ -137,7 +137,7 @@ impl<T: Arithmetic> Way<T> {
     }
 
     /// A stage and the change of its moment.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn stage<I: Tensor<T>>(
         &self,
         tensor: &I,
@@ -161,14 +161,14 @@ impl<T: Arithmetic> Way<T> {
     }
 
     /// The change of a turn with one beforehand, which goes through to the end.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn turned(&self, [s, axis @ ..]: Turn<T>) -> Turn<T> {
         let [zero, half @ ..] = self.turn;
         let [x, y, z] = plus_cross(times(half, s), half, axis);
         [zero - dot(half, axis), x, y, z]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn change<I: Tensor<T>>(
         &self,
         tensor: &I,
@@ -197,7 +197,7 @@ impl<T: Arithmetic> Way<T> {
 
 impl<T: Arithmetic> Moved<T> {
     /// That of a stage, by the rates of the stage before.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn after(&self, before: &Change<T>, place: Place) -> Self {
         let span = self.velocity[0].constant(place.half_steps());
         Self {

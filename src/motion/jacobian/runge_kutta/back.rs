@@ -172,7 +172,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
     }
 
     /// The covector of an added torque, in the axes in which it is given.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_torque(&self, [a, b, c, d]: &[Source<T>; 4]) -> Vector<T> {
         let Some(axes) = self.start.axes else {
             return weighed([a.moment, b.moment, c.moment, d.moment]);
@@ -188,7 +188,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
     }
 
     /// The covector of the tensor. Each v is that of the start and an a, so that besides the first v only the a are met.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_inertia(&self, [a, b, c, d]: &[Source<T>; 4], momentum: Vector<T>) -> [T; 6] {
         let two = self.square.constant(2.0);
         let [first, second, third, fourth] = &self.stages;
@@ -202,7 +202,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
     }
 
     /// The covector of the logarithm of the step's length, where it is not written out.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_length(&self, velocity: Vector<T>, sources: &[Source<T>; 4]) -> T {
         let mut parts = [[self.square]; 4];
         for ((part, source), stage) in parts.iter_mut().zip(sources).zip(&self.stages) {
@@ -215,7 +215,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: ByTurn<T>> Stages<T, I, Moment<T, D>> {
 
 impl<T: Arithmetic, K, D> Stage<T, K, D> {
     /// What stands in the axes of this stage, in those of the start of the step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn seen_at_start(&self, v: Vector<T>) -> Vector<T> {
         before(self.turn, turned(self.turn, v))
     }
@@ -223,7 +223,7 @@ impl<T: Arithmetic, K, D> Stage<T, K, D> {
 
 impl<T: Arithmetic> Source<T> {
     /// Twice what the stage before goes on from.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn doubled(&self) -> Self {
         let two = self.velocity[0].constant(2.0);
         let mut turn = None;
@@ -241,7 +241,7 @@ impl<T: Arithmetic> Source<T> {
 
 impl<T: Arithmetic> Way<T> {
     /// The way into the stage before: `self` is that of the result, `after` the one in the stage that follows, which turns by `half`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn before(&self, after: &Self, half: Vector<T>, source: &Source<T>) -> Self {
         let mut turn = None;
         if let (Some(mut onto), Some(of)) = (self.turn, after.turn) {
@@ -263,7 +263,7 @@ impl<T: Arithmetic> Way<T> {
 
 impl<T: Arithmetic> Pulled<T> {
     /// In the order of the columns.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn flat(self) -> [T; 16] {
         let ([a, b, c], [d, e, f], [g, h, i]) = (self.theta, self.omega, self.torque);
         let ([j, k, l, m, n, o], span) = (self.inertia, self.span);
@@ -272,7 +272,7 @@ impl<T: Arithmetic> Pulled<T> {
 }
 
 /// A covector of −δI v on its way back to the entries of δI.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn less_tensor<T: Arithmetic>(onto: &mut [T; 6], [a, b, c]: Vector<T>, [x, y, z]: Vector<T>) {
     let [xx, yy, zz, xy, xz, yz] = *onto;
     *onto = [

@@ -11,7 +11,7 @@ use crate::motion::{Frame, System, TorqueLaw};
 
 /// Eight steps and the columns of their Jacobians; `false` if the law is none that is linear in ω and in
 /// a vector of space.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn block_with_jacobian<const N: usize, L: TorqueLaw<f64>>(
     system: &impl Fn(usize) -> System<f64, L>,
     time: f64,
@@ -40,7 +40,7 @@ struct Eight<'a, const N: usize, F> {
 impl<const N: usize, L: TorqueLaw<f64>, F: Fn(usize) -> System<f64, L>> Work for Eight<'_, N, F> {
     type Output = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<R: Registers>(self, registers: R) -> bool {
         let (system, time, step) = (self.system, self.time, some_length(self.step));
         // The bodies of a block are under one law.
@@ -69,14 +69,14 @@ trait Shared<T: Arithmetic> {
 }
 
 impl<T: Arithmetic> Shared<T> for Linear<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn seen(&self, _: [[T; 3]; 3]) -> impl Moments<T> {
         *self
     }
 }
 
 impl<T: Arithmetic> Shared<T> for Seen<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn seen(&self, axes: [[T; 3]; 3]) -> impl Moments<T> {
         self.from(axes)
     }
@@ -94,7 +94,7 @@ struct Rows<'a, const N: usize, R: Registers> {
 
 impl<const N: usize, R: Registers> Rows<'_, N, R> {
     /// All eight.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of<L: TorqueLaw<f64>>(
         &mut self,
         system: &impl Fn(usize) -> System<f64, L>,
@@ -179,7 +179,7 @@ impl<const N: usize, R: Registers> Rows<'_, N, R> {
     }
 
     /// Writes the row in the columns from `column` on, if they are asked for.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn put<const ROW: usize, const M: usize>(
         &mut self,
         first: usize,
@@ -193,7 +193,7 @@ impl<const N: usize, R: Registers> Rows<'_, N, R> {
 }
 
 /// Numbers of eight bodies side by side.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn lanes<const N: usize>(of: impl Fn(usize) -> [f64; N]) -> [Lane; N] {
     let mut lanes = [[0.0; LANES]; N];
     for body in 0..LANES {

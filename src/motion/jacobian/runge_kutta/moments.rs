@@ -23,13 +23,13 @@ pub(super) enum Place {
 
 impl Place {
     /// The time since the start, in half steps.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn half_steps(self) -> f64 {
         f64::from(self as u8)
     }
 
     /// The time since the start of a step of a given length.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn since(self, step: f64) -> f64 {
         0.5 * self.half_steps() * step
     }
@@ -59,7 +59,7 @@ pub(super) struct Shift<T> {
 
 impl<T: Arithmetic, D: ByTurn<T>> Moment<T, D> {
     /// Its change with that of what it is a function of.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(&self, shift: &Shift<T>) -> Vector<T> {
         let mut change = shift.torque;
         if let Some(span) = shift.span {
@@ -100,7 +100,7 @@ pub(super) trait Moments<T: Arithmetic> {
     ) -> Moment<T, Self::ByTurn>;
 
     /// The moment at a stage, and its change in one direction alone.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(
         &self,
         place: Place,
@@ -114,7 +114,7 @@ pub(super) trait Moments<T: Arithmetic> {
 }
 
 /// The length of a step as a divisor: a step of no length is to rounding a very short one.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn some_length(step: f64) -> f64 {
     if step == 0.0 { 1e-100 } else { step }
 }

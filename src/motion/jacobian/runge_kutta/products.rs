@@ -14,7 +14,7 @@ use nalgebra::{SVector, Vector3, Vector6};
 
 /// A state and zeros overwritten by the state after a step and the Jacobian times a direction of its first `N` inputs;
 /// `false` if the law is said to be linear and is not. In place, for copies would take as long as the work.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn jvp<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
@@ -37,7 +37,7 @@ pub(crate) fn jvp<const N: usize, L: SmoothLaw>(
 }
 
 /// The same of a covector of the result times the first `N` columns of the Jacobian.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn vjp<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
@@ -78,7 +78,7 @@ impl Felt {
     }
 
     /// The covector of the parameters of a step's system.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(crate) fn by_parameters<const P: usize, K: TorqueLaw<Jet<f64, P>>>(
         &self,
         variable: &System<Jet<f64, P>, K>,
@@ -110,7 +110,7 @@ impl Felt {
 }
 
 /// Overwrites what a covector of the result of a step is of what makes it; `false` if the law is said to be linear and is not.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn felt<L: SmoothLaw>(
     system: &System<f64, L>,
     (time, step): (f64, f64),
@@ -142,7 +142,7 @@ struct One<'a, L, T> {
 impl<L: SmoothLaw, T: Task> Work for One<'_, L, T> {
     type Output = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<R: Registers>(self, registers: R) -> bool {
         let times = (self.time, self.step);
         alone(registers, self.system, times, self.state, self.task)
@@ -157,7 +157,7 @@ struct Forward<'a, const N: usize> {
 }
 
 impl<const N: usize> Forward<'_, N> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn direction<R: Registers>(&self, registers: R) -> Direction<R::Wide> {
         let mut all = [registers.splat(0.0); 16];
         for (i, place) in all.iter_mut().enumerate() {
@@ -249,7 +249,7 @@ impl Task for Inward<'_> {
 }
 
 /// The first `N` of a covector of the input.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn first<T: Copy, const N: usize>(all: [T; 16]) -> [T; N] {
     let mut first = [all[0]; N];
     for (first, value) in first.iter_mut().zip(all) {

@@ -10,7 +10,7 @@ use crate::motion::{SmoothLaw, State, StepJacobian, System};
 
 /// The state and an empty matrix overwritten by those after the step. `false` if the law is
 /// said to be linear and is not. In place, for the matrix is large beside the work.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(crate) fn step_with_jacobian<const N: usize, L: SmoothLaw>(
     system: &System<f64, L>,
     time: f64,
@@ -39,7 +39,7 @@ struct One<'a, const N: usize, L> {
 impl<const N: usize, L: SmoothLaw> Work for One<'_, N, L> {
     type Output = bool;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn run<R: Registers>(self, registers: R) -> bool {
         let times = (self.time, self.step);
         alone(registers, self.system, times, self.state, Rows(self.out))
@@ -115,7 +115,7 @@ fn rows<R: Registers, I: Tensor<R::Wide>, D: ByTurn<R::Wide>, const N: usize>(
 }
 
 /// Writes the rows of columns one after the other, if they are asked for: `from` is the place of the first.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn put<R: Registers, const M: usize>(
     registers: R,
     flat: &mut [f64],

@@ -43,7 +43,7 @@ pub(super) struct Reached<T, K> {
 
 impl<T: Arithmetic, K: Copy> Reached<T, K> {
     /// The first stage.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn start(tensor: &impl Tensor<T, Momentum = K>, velocity: Vector<T>) -> Self {
         Self {
             velocity,
@@ -55,7 +55,7 @@ impl<T: Arithmetic, K: Copy> Reached<T, K> {
 
 impl<T: Arithmetic, K: Copy, D: Copy> Stage<T, K, D> {
     /// Where the rates of this stage lead, so many half steps after `start`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn leading<I: Tensor<T, Momentum = K>>(
         &self,
         start: &Self,
@@ -152,7 +152,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, Moment<T, D>> {
 
 impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
     /// The step of its stages.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn of(tensor: I, start: Start<T>, stages: [Stage<T, I::Momentum, D>; 4]) -> Self {
         let [a, b, c, d] = &stages;
         let turns = [a.turn_rate, b.turn_rate, c.turn_rate, d.turn_rate];
@@ -176,7 +176,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
     }
 
     /// Attitude and angular velocity at stage `i`.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn place(&self, i: usize) -> (Turn<T>, Vector<T>) {
         let (stage, start) = (&self.stages[i], self.start.attitude);
         let [s, x, y, z] = stage.turn;
@@ -186,7 +186,7 @@ impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
     }
 
     /// The state after the step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn state(&self) -> (Turn<T>, Vector<T>) {
         let ([w, ..], [s, x, y, z]) = (self.start.attitude, self.end);
         let turned = turned(self.start.attitude, [x, y, z]);
@@ -200,14 +200,14 @@ impl<T: Arithmetic, I: Tensor<T>, D: Copy> Stages<T, I, D> {
 
 impl<T: Arithmetic> Start<T> {
     /// ω in half steps.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(super) fn velocity(&self) -> Vector<T> {
         times(self.omega, self.omega[0].constant(0.5 * self.step))
     }
 }
 
 /// The sum of what the stages give, by their weights 1, 2, 2, 1.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn weighed<T: Arithmetic, const N: usize>([a, b, c, d]: [[T; N]; 4]) -> [T; N] {
     plus_times(plus(a, d), plus(b, c), a[0].constant(2.0))
 }

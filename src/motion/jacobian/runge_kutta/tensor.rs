@@ -75,7 +75,7 @@ pub(super) struct Principal<T> {
 }
 
 /// A symmetric matrix times a vector.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in crate::motion::jacobian) fn symmetric<T: Arithmetic>(
     [xx, yy, zz, xy, xz, yz]: [T; 6],
     v: Vector<T>,
@@ -90,22 +90,22 @@ pub(in crate::motion::jacobian) fn symmetric<T: Arithmetic>(
 impl<T: Arithmetic> Tensor<T> for Full<T> {
     type Momentum = Vector<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inverse(&self, v: Vector<T>) -> Vector<T> {
         symmetric(self.inverse, v)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, v: Vector<T>) -> Vector<T> {
         symmetric(self.entries, v)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn onward(momentum: Vector<T>, rate: Vector<T>, span: T) -> Vector<T> {
         plus_times(momentum, rate, span)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acceleration(
         &self,
         moment: Vector<T>,
@@ -116,12 +116,12 @@ impl<T: Arithmetic> Tensor<T> for Full<T> {
         (self.inverse(net), net)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn changed(&self, by_v: Vector<T>, by_inertia: Vector<T>) -> Vector<T> {
         plus(self.momentum(by_v), by_inertia)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(
         &self,
         (v, momentum): (Vector<T>, Vector<T>),
@@ -134,12 +134,12 @@ impl<T: Arithmetic> Tensor<T> for Full<T> {
         (self.inverse(minus(net, inertial)), net)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sources(inverse: Vector<T>, after: Vector<T>) -> (Vector<T>, Vector<T>) {
         (minus(inverse, after), inverse)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(
         &self,
         onto: Vector<T>,
@@ -150,7 +150,7 @@ impl<T: Arithmetic> Tensor<T> for Full<T> {
         plus_cross(onto, moment, momentum)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn start(&self, velocity: Vector<T>, momentum: Vector<T>) -> Vector<T> {
         minus(velocity, self.momentum(momentum))
     }
@@ -159,19 +159,19 @@ impl<T: Arithmetic> Tensor<T> for Full<T> {
 impl<T: Arithmetic> Tensor<T> for Principal<T> {
     type Momentum = ();
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn inverse(&self, [x, y, z]: Vector<T>) -> Vector<T> {
         let [a, b, c] = self.inverse;
         [a * x, b * y, c * z]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn momentum(&self, _: Vector<T>) {}
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn onward((): (), (): (), _: T) {}
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acceleration(&self, moment: Vector<T>, [x, y, z]: Vector<T>, (): ()) -> (Vector<T>, ()) {
         let ([a, b, c], [l, m, n]) = (self.ratios, self.inverse(moment));
         let acceleration = [
@@ -182,12 +182,12 @@ impl<T: Arithmetic> Tensor<T> for Principal<T> {
         (acceleration, ())
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn changed(&self, _: Vector<T>, by_inertia: Vector<T>) -> Vector<T> {
         by_inertia
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(
         &self,
         ([x, y, z], ()): (Vector<T>, ()),
@@ -207,12 +207,12 @@ impl<T: Arithmetic> Tensor<T> for Principal<T> {
         (acceleration, inertial)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn sources(inverse: Vector<T>, after: Vector<T>) -> (Vector<T>, Vector<T>) {
         (inverse, plus(inverse, after))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(
         &self,
         [l, m, n]: Vector<T>,
@@ -229,7 +229,7 @@ impl<T: Arithmetic> Tensor<T> for Principal<T> {
         ]
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn start(&self, velocity: Vector<T>, _: Vector<T>) -> Vector<T> {
         velocity
     }

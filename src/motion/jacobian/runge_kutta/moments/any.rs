@@ -27,7 +27,7 @@ pub(in super::super) struct Any<'a, R, L> {
 
 impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
     /// The four rows of the product of the attitude at the start and a turn since then.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn attitude_of_turn(&self) -> [[f64; 4]; 4] {
         let [w, x, y, z] = self.attitude.components();
         [[w, -x, -y, -z], [x, w, -z, y], [y, z, w, -x], [z, -y, x, w]]
@@ -35,7 +35,7 @@ impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
 
     /// The torque at a stage, M: its derivatives in p, in v and in ln h. Apart where no wide registers are to be had: in one
     /// piece with the step, it is what LLVM 22 breaks down at.
-    #[cfg_attr(feature = "batch", inline(always))]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
     #[cfg_attr(not(feature = "batch"), inline(never))]
     fn torque(&self, place: Place, turn: [f64; 4], velocity: [f64; 3]) -> Vector3<Side> {
         let (pace, since) = (2.0 / self.step, place.since(self.step));
@@ -56,7 +56,7 @@ impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
     }
 
     /// The torque at a stage and its change with those of p, of v and of ln h.
-    #[cfg_attr(feature = "batch", inline(always))]
+    #[cfg_attr(all(feature = "batch", not(debug_assertions)), inline(always))]
     #[cfg_attr(not(feature = "batch"), inline(never))]
     fn torque_along(
         &self,
@@ -78,7 +78,7 @@ impl<R: Registers, L: SmoothLaw> Any<'_, R, L> {
     }
 }
 
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn state<T: Number>(attitude: [T; 4], angular_velocity: [T; 3]) -> State<T> {
     State {
         attitude: Quaternion::new(attitude),
@@ -87,7 +87,7 @@ fn state<T: Number>(attitude: [T; 4], angular_velocity: [T; 3]) -> State<T> {
 }
 
 /// The components of a turn since the start, where `None` is none.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn components<R: Registers>(registers: R, turn: Option<Turn<R::Wide>>) -> [f64; 4] {
     match turn {
         Some(turn) => firsts(registers, turn),
@@ -102,14 +102,14 @@ pub(in super::super) struct Rows<T>([Turn<T>; 3]);
 impl<T: Arithmetic> ByTurn<T> for Rows<T> {
     const IS_ANY: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(&self, onto: Vector<T>, turn: Turn<T>) -> Vector<T> {
         let [a, b, c] = self.0;
         let half = [dot(a, turn), dot(b, turn), dot(c, turn)];
         plus_times(onto, half, turn[0].constant(2.0))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(&self, [x, y, z]: Vector<T>) -> Option<Turn<T>> {
         let [a, b, c] = self.0;
         Some(plus_times(plus_times(times(a, x), b, y), c, z))
@@ -119,7 +119,7 @@ impl<T: Arithmetic> ByTurn<T> for Rows<T> {
 impl<R: Registers, L: SmoothLaw> Moments<R::Wide> for Any<'_, R, L> {
     type ByTurn = Rows<R::Wide>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(
         &self,
         place: Place,
@@ -156,7 +156,7 @@ impl<R: Registers, L: SmoothLaw> Moments<R::Wide> for Any<'_, R, L> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(
         &self,
         place: Place,

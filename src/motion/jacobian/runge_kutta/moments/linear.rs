@@ -42,7 +42,7 @@ pub(in super::super) enum Parts {
 }
 
 /// The parts of a law in a step, with the torque added to it; `None` if it has none that do.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 pub(in super::super) fn parts<L: TorqueLaw<f64>>(
     system: &System<f64, L>,
     time: f64,
@@ -74,7 +74,7 @@ pub(in super::super) fn parts<L: TorqueLaw<f64>>(
 }
 
 /// The torque of a law and the one added to it; `None` if a torque and a force stand in space.
-#[inline(always)]
+#[cfg_attr(not(debug_assertions), inline(always))]
 fn part<L: TorqueLaw<f64>>(
     system: &System<f64, L>,
     mut part: LinearTorque,
@@ -98,7 +98,7 @@ fn part<L: TorqueLaw<f64>>(
 
 impl Place {
     /// The derivative of h² times a value in the logarithm of the length h, over h².
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn by_length(self, value: Vector3<f64>, by_time: Vector3<f64>, step: f64) -> Vector3<f64> {
         match self {
             // What stands at the start stays there, and nobody need know its derivative.
@@ -109,7 +109,7 @@ impl Place {
 }
 
 impl Own<f64> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(part: &LinearTorque, place: Place, step: f64) -> Self {
         let scale = 0.25 * step * step;
         let by_length = place.by_length(part.at_rest, part.by_time, step);
@@ -124,7 +124,7 @@ impl Own<f64> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn splat<R: Registers>(&self, registers: R) -> Own<R::Wide> {
         let mut by_velocity = None;
         if let Some(rows) = self.by_velocity {
@@ -139,7 +139,7 @@ impl Own<f64> {
 }
 
 impl Load<f64> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn new(load: &SpaceLoad, place: Place, step: f64) -> Self {
         let scale = -0.25 * step * step;
         let by_length = place.by_length(load.value, load.by_time, step);
@@ -149,7 +149,7 @@ impl Load<f64> {
         }
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn splat<R: Registers>(&self, registers: R) -> Load<R::Wide> {
         Load {
             value: splat(registers, self.value),
@@ -160,7 +160,7 @@ impl Load<f64> {
 
 impl<T: Arithmetic> Load<T> {
     /// As a body sees it at the start of its step.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn seen(&self, axes: [Vector<T>; 3]) -> Self {
         Self {
             value: pulled(axes, self.value),
@@ -170,7 +170,7 @@ impl<T: Arithmetic> Load<T> {
 }
 
 impl Linear<f64> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in super::super) fn splat<R: Registers>(&self, registers: R) -> Linear<R::Wide> {
         let [a, b, c] = &self.0;
         Linear([a.splat(registers), b.splat(registers), c.splat(registers)])
@@ -178,7 +178,7 @@ impl Linear<f64> {
 }
 
 impl Seen<f64> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in super::super) fn splat<R: Registers>(&self, registers: R) -> Seen<R::Wide> {
         let [a, b, c] = &self.loads;
         let mut arm = None;
@@ -195,7 +195,7 @@ impl Seen<f64> {
 
 impl<T: Arithmetic> Seen<T> {
     /// The loads as a body sees them at the start of its step, by the matrix of its attitude.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     pub(in super::super) fn from(&self, axes: [Vector<T>; 3]) -> Self {
         let [a, b, c] = &self.loads;
         Self {
@@ -212,12 +212,12 @@ pub(in super::super) struct Nothing;
 impl<T> ByTurn<T> for Nothing {
     const IS_ANY: bool = false;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(&self, onto: Vector<T>, _: Turn<T>) -> Vector<T> {
         onto
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(&self, _: Vector<T>) -> Option<Turn<T>> {
         None
     }
@@ -226,7 +226,7 @@ impl<T> ByTurn<T> for Nothing {
 impl<T: Arithmetic> Moments<T> for Linear<T> {
     type ByTurn = Nothing;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, place: Place, _: Option<Turn<T>>, velocity: Vector<T>) -> Moment<T, Nothing> {
         let own = &self.0[place as usize];
         let (mut value, mut by_length) = (own.at_rest, own.by_length);
@@ -251,7 +251,7 @@ pub(in super::super) struct Sight<T> {
 }
 
 impl<T: Arithmetic> Sight<T> {
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn of(load: Vector<T>, arm: Option<Vector<T>>, turn: Option<Turn<T>>) -> Self {
         let [x, y, z] = load;
         Self {
@@ -264,7 +264,7 @@ impl<T: Arithmetic> Sight<T> {
     }
 
     /// `onto` and the moment of p⁻¹ γ p.
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn moment(&self, onto: Vector<T>, turn: Option<Turn<T>>) -> Vector<T> {
         let seen = match (turn, self.product) {
             (Some(turn), product) => between(turn, product),
@@ -273,7 +273,7 @@ impl<T: Arithmetic> Sight<T> {
         minus(onto, self.acting(seen))
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn acting(&self, seen: Vector<T>) -> Vector<T> {
         match self.arm {
             Some(arm) => cross(arm, seen),
@@ -285,13 +285,13 @@ impl<T: Arithmetic> Sight<T> {
 impl<T: Arithmetic> ByTurn<T> for Sight<T> {
     const IS_ANY: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn along(&self, onto: Vector<T>, turn: Turn<T>) -> Vector<T> {
         let two = turn[0].constant(2.0);
         plus_times(onto, self.acting(between(self.product, turn)), two)
     }
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn back(&self, moment: Vector<T>) -> Option<Turn<T>> {
         let seen = match self.arm {
             Some(arm) => cross(moment, arm),
@@ -304,7 +304,7 @@ impl<T: Arithmetic> ByTurn<T> for Sight<T> {
 impl<T: Arithmetic> Moments<T> for Seen<T> {
     type ByTurn = Sight<T>;
 
-    #[inline(always)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn at(&self, place: Place, turn: Option<Turn<T>>, velocity: Vector<T>) -> Moment<T, Sight<T>> {
         let (own, load) = (
             self.own.at(place, turn, velocity),
