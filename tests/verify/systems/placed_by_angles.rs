@@ -311,10 +311,10 @@ $$ h = ml^2\dot b\cos^2 a $$
         "$a$ is the angle between $-z$ and the string. $b$ is the angle from y to the projection of the string on the plane of x and y, counted positive about z.",
     ] {
         let said = format!("{sentences}{told}\n");
-        assert_eq!(judged(&said, text), "prprr", "{told}");
+        assert_eq!(judged(&said, text), "puprr", "{told}");
     }
     // Counted the other way.
     let against = "$a$ is the angle between $-z$ and the string. $b$ is the angle from y to the projection of the string on the plane of x and y, counted positive about $-z$.";
     let said = format!("{sentences}{against}\n");
-    assert_eq!(judged(&said, text), "rrrpr");
+    assert_eq!(judged(&said, text), "uurpr");
 }

@@ -260,7 +260,7 @@ $$ L_B = [L]_B $$
         "The label $B$ on brackets means components on B. The label $S$ on brackets means components on S.",
     ] {
         let said = format!("{sentences}{told}\n");
-        assert_eq!(judged(&said, text), "ppru", "{told}");
+        assert_eq!(judged(&said, text), "ppra", "{told}");
     }
 }
 
@@ -278,5 +278,5 @@ $$ v_B = C v_N $$
 $$ v_N = C v_B $$
 $$ u_B = C u_N $$
 ";
-    assert_eq!(judged(sentences, text), "pru");
+    assert_eq!(judged(sentences, text), "pra");
 }
