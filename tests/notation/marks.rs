@@ -49,3 +49,17 @@ fn letters_that_different_commands_mark_are_different() {
     assert!(one.is_some() && two.is_some());
     assert_ne!(one, two);
 }
+
+#[test]
+fn commands_that_sentences_name_alone_are_letters() {
+    let named = "$\\th$ is the angle between x and y.";
+    for formula in ["\\sin\\th = 1", "\\frac{d\\th}{dt} = 1", "m g(\\th) = 1"] {
+        assert!(read(named, formula).is_some(), "{formula}");
+        assert_eq!(read("It is an angle.", formula), None, "{formula}");
+    }
+    // What has an argument is no letter.
+    assert_eq!(
+        read("$\\size$ is the length of a vector.", "\\size{v} = 1"),
+        None
+    );
+}

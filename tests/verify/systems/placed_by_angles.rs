@@ -288,3 +288,33 @@ $$ \omega = \dot q\,v + \dot p\,e_3 $$
 ";
     assert_eq!(judged(sentences, text), "prpr");
 }
+
+#[test]
+fn a_line_lies_by_its_angle_with_an_axis_and_that_of_its_projection() {
+    let sentences = r"N is an inertial frame with the axes x, y, z.
+z is the upward vertical.
+O is a point fixed in N.
+P is a particle of mass $m$ that hangs from O by a massless string of length $l$.
+$r$ is the position of P from O.
+$h$ is the component along z of the angular momentum of P about O relative to N.
+";
+    let text = r"
+$$ r = l(-\sin a\sin b\,x+\sin a\cos b\,y-\cos a\,z) $$
+$$ r = l(\sin a\cos b\,y-\cos a\,z) $$
+$$ h = ml^2\dot b\sin^2 a $$
+$$ h = -ml^2\dot b\sin^2 a $$
+$$ h = ml^2\dot b\cos^2 a $$
+";
+    for told in [
+        "The string makes the angle $a$ with the downward vertical, and the vertical plane through the string makes the angle $b$ with y, positive about z.",
+        "The string makes the angle $a$ with the downward vertical. $b$ is the angle from y to the projection of the string on the horizontal plane, counted positive about z.",
+        "$a$ is the angle between $-z$ and the string. $b$ is the angle from y to the projection of the string on the plane of x and y, counted positive about z.",
+    ] {
+        let said = format!("{sentences}{told}\n");
+        assert_eq!(judged(&said, text), "puprr", "{told}");
+    }
+    // Counted the other way.
+    let against = "$a$ is the angle between $-z$ and the string. $b$ is the angle from y to the projection of the string on the plane of x and y, counted positive about $-z$.";
+    let said = format!("{sentences}{against}\n");
+    assert_eq!(judged(&said, text), "uurpr");
+}

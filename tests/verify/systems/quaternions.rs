@@ -110,3 +110,24 @@ $$ \eta^2+\epsilon^T\epsilon=1 $$
 ";
     assert_eq!(judged(sentences, text), "prp");
 }
+
+#[test]
+fn a_quaternion_that_is_written_as_two_has_a_scalar_part_and_a_vector_part() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+$\omega$ is the angular velocity of B relative to N in components on B.
+";
+    let text = r"
+$$ \dot\eta = -\frac12 e^T\omega $$
+$$ \dot\eta = \frac12 e^T\omega $$
+$$ \eta^2+e^Te = 1 $$
+";
+    for told in [
+        r"$(\eta, e)$ takes components on B to components on N, scalar first.",
+        r"$(e, \eta)$ takes components on B to components on N, scalar last.",
+        r"$q=(\eta, e)$ is the unit quaternion that takes components on B to components on N, with the scalar part first.",
+    ] {
+        let said = format!("{sentences}{told}\n");
+        assert_eq!(judged(&said, text), "prp", "{told}");
+    }
+}

@@ -239,3 +239,44 @@ $$ p \in \R $$
     let sentences = format!("{AIRCRAFT}{sentences}");
     assert_eq!(judged(&sentences, text), "prp");
 }
+
+#[test]
+fn labels_of_brackets_are_no_labels_of_letters() {
+    let sentences = r"S is inertial and B is fixed in the body.
+$Q$ takes components on S to components on B.
+$L$ is the angular momentum of the body about its mass centre relative to S.
+$J$ is the inertia tensor of the body about its mass centre.
+$\omega$ is the angular velocity of the body relative to S.
+";
+    let text = r"
+$$ [L]_B = [J]_B[\omega]_B $$
+$$ [L]_S = Q^T[L]_B $$
+$$ [J]_S = Q[J]_B Q^T $$
+$$ L_B = [L]_B $$
+";
+    for told in [
+        "Braces with a frame at the lower right, as in $[L]_B$, hold components on that frame.",
+        "Brackets with a frame at the lower right mean components on that frame.",
+        "The label $B$ on brackets means components on B. The label $S$ on brackets means components on S.",
+    ] {
+        let said = format!("{sentences}{told}\n");
+        assert_eq!(judged(&said, text), "ppra", "{told}");
+    }
+}
+
+#[test]
+fn a_label_that_is_told_of_one_letter_is_that_of_this_letter() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the body.
+$C$ takes components on N to components on B.
+$v$ and $u$ are any vectors.
+The label $N$ on $v$ means components on N.
+The label $B$ on $v$ means components on B.
+";
+    let text = r"
+$$ v_B = C v_N $$
+$$ v_N = C v_B $$
+$$ u_B = C u_N $$
+";
+    assert_eq!(judged(sentences, text), "pra");
+}
