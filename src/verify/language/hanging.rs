@@ -1,6 +1,7 @@
 //! What hangs on nouns and verbs by prepositions.
 
 use super::heads::{SIZES, START_OF_MOTION, VERTICAL};
+use super::is_body;
 use super::lexicon::{Class, Entry};
 use super::phrase::NOUNS;
 use super::reader::{Read, Reader};
@@ -364,4 +365,27 @@ fn name_of_any(term: Term) -> Term {
         }
         other => other,
     }
+}
+
+/// "The force of the smooth rail on the rod at P": what stands behind whose load it is hangs on the load.
+pub(super) fn leave_to_load(entry: &Entry, load: &mut NounPhrase) {
+    if !entry.is_load() || load.slot(Slot::Upon).is_some() {
+        return;
+    }
+    let Some((_, Term::Phrase(agent))) = load.slots.iter_mut().find(|(s, _)| *s == Slot::Of) else {
+        return;
+    };
+    if !is_body(agent.head) || agent.slot(Slot::On).is_none() {
+        return;
+    }
+    let own = |slot: &Slot| matches!(slot, Slot::Of | Slot::Which | Slot::FixedIn | Slot::With);
+    let (kept, left): (Vec<_>, Vec<_>) = std::mem::take(&mut agent.slots)
+        .into_iter()
+        .partition(|(slot, _)| own(slot));
+    agent.slots = kept;
+    let upon = |(slot, term): (Slot, Term)| match slot {
+        Slot::On => (Slot::Upon, term),
+        slot => (slot, term),
+    };
+    load.slots.extend(left.into_iter().map(upon));
 }

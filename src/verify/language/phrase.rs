@@ -2,6 +2,7 @@
 
 use super::adjectives::goes_with;
 use super::gaps::{counted, is_one_of_several};
+use super::hanging::leave_to_load;
 use super::heads::FORCE;
 use super::implied::OWNED;
 use super::lexicon::{Class, Entry, Inflection};
@@ -261,6 +262,7 @@ impl<'a> Reader<'a> {
             .extend(owner.into_iter().map(|owner| (Slot::Of, owner)));
         let entry = self.point_where(&mut phrase)?.unwrap_or(entry);
         self.slots(entry, &mut phrase.slots)?;
+        leave_to_load(entry, &mut phrase);
         while let Some(found) = self
             .find(&[Class::Adjective])
             .filter(|f| !f.entry.slots.is_empty() && goes_with(f.entry.name, entry.name))
