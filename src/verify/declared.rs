@@ -5,11 +5,11 @@ use crate::notation::document::{Document, Headings, Item, Row};
 use crate::notation::print::latex;
 use crate::source::Span;
 use crate::verify::declarations::Declared;
-use crate::verify::declared::cases::in_all_cases;
 use crate::verify::declared::judgment::{Judgment, judgments};
-use crate::verify::declared::lead::Lead;
 use crate::verify::facts::proof::uses;
+use crate::verify::language::messages::under_condition;
 use crate::verify::language::rate_letters::with_rates;
+use crate::verify::language::spoken_conditions::Lead;
 use crate::verify::language::statement::{Declaration, Statement};
 use crate::verify::language::wants::Wants;
 use crate::verify::reading::names::are_products;
@@ -22,9 +22,7 @@ use crate::verify::verdict::{
 };
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-mod cases;
 mod judgment;
-mod lead;
 
 pub(crate) use judgment::Shared;
 
@@ -41,7 +39,7 @@ const DIFFER: &str = "the sides differ";
 pub fn check_declared(document: &Document, declared: &Declared) -> Report {
     if let [first, others @ ..] = declared.cases.as_slice() {
         let others: Vec<Report> = others.iter().map(|c| judge_declared(document, c)).collect();
-        let report = in_all_cases(check_declared(document, first), &others);
+        let report = check_declared(document, first).in_all_cases(&others);
         return Report {
             meaning: declared.meaning(),
             ..report
@@ -262,6 +260,21 @@ impl<'a> Rows<'a> {
             finding.place = place;
         }
         finding
+    }
+
+    /// Leaves a false line open that holds under a condition of the text, of which the declarations don't speak.
+    fn doubt_under_condition(&self, finding: &mut Finding) {
+        let Some(condition) = self.lead.condition() else {
+            return;
+        };
+        let at = self.at(finding.span);
+        let spoken_of = self
+            .judgments
+            .iter()
+            .any(|own| own.judge.part.speaks_of(&at));
+        if finding.verdict == Verdict::Refuted && !spoken_of {
+            finding.leave_open(under_condition(condition));
+        }
     }
 
     fn at(&self, span: Span) -> At {

@@ -3,6 +3,7 @@
 use crate::algebra::{Proof, Variable};
 use crate::notation::document::Document;
 use crate::source::Span;
+use crate::verify::language::messages::{IN_BOTH_CASES, OPEN_CASE};
 use crate::verify::language::wants::Wants;
 
 /// What a line is for.
@@ -124,6 +125,18 @@ pub struct Finding {
 }
 
 impl Finding {
+    /// Takes the verdict back, and says why.
+    pub(crate) fn leave_open(&mut self, reason: impl Into<String>) {
+        self.verdict = Verdict::Undecided;
+        self.reason = Some(reason.into());
+        self.uses.clear();
+        self.conditions.clear();
+        self.residual = None;
+        self.counterexample = None;
+        self.diagnosis = None;
+        self.follows_from = None;
+    }
+
     /// A finding of which nothing is said yet.
     pub(crate) fn undecided(document: &Document, role: Role, span: Span) -> Self {
         let place = document.place(span.start);
@@ -265,6 +278,26 @@ pub struct Summary {
 }
 
 impl Report {
+    /// The report of the first case, where each line has the verdict that it has in all of them, or none.
+    pub(crate) fn in_all_cases(mut self, others: &[Self]) -> Self {
+        for (at, finding) in self.findings.iter_mut().enumerate() {
+            let same = |other: &Self| {
+                let other = other.findings.get(at);
+                other.is_some_and(|other| {
+                    other.span == finding.span && other.verdict.name() == finding.verdict.name()
+                })
+            };
+            match others.iter().all(same) {
+                true if matches!(finding.verdict, Verdict::Proved(_)) => {
+                    finding.remarks.push(IN_BOTH_CASES.to_owned());
+                }
+                true => {}
+                false => finding.leave_open(OPEN_CASE),
+            }
+        }
+        self
+    }
+
     /// What a variable of a proof stands for, in LaTeX.
     pub fn variable(&self, variable: Variable) -> &str {
         let name = self.variables.get(variable as usize);

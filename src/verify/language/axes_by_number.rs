@@ -50,6 +50,8 @@ fn numbered_frame(declarations: &[Declaration]) -> Option<Term> {
 }
 
 fn put_axes(slots: &mut [(Slot, Term)], frame: &Term) {
+    // The matrix of a rotation by an angle has axes of its own.
+    let by_angle = slots.iter().any(|(slot, _)| *slot == Slot::By);
     for (slot, term) in slots {
         match (&*slot, number(term)) {
             (Slot::Along | Slot::About, Some(number)) => {
@@ -59,7 +61,7 @@ fn put_axes(slots: &mut [(Slot, Term)], frame: &Term) {
             }
             _ => {
                 if let Term::Phrase(inner) = term {
-                    if is_bare_axis(inner) {
+                    if is_bare_axis(inner) && !by_angle {
                         inner.slots.push((Slot::Of, frame.clone()));
                     }
                     put_axes(&mut inner.slots, frame);

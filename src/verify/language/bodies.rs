@@ -200,7 +200,7 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             && word.chars().count() > 2
             && word.chars().all(|c| c.is_alphabetic() || c == '-')
             && (token.text == word || end == 0);
-        if !plain || is_glue(word) || ARTICLES.contains(&word) || !may_name(word) {
+        if !plain || is_no_name(word) {
             break;
         }
         if end == start && is_stressed(&tokens[end..]) {
@@ -211,11 +211,8 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
             continue;
         }
         if known(tokens, end, lexicon) && !is_named_by_verb(&tokens[at..=end], lexicon) {
-            let rest: Vec<&str> = tokens[end..]
-                .iter()
-                .take(2)
-                .map(|t| t.lower.as_str())
-                .collect();
+            let rest = tokens[end..].iter().take(2);
+            let rest: Vec<&str> = rest.map(|t| t.lower.as_str()).collect();
             let other = [Class::Preposition, Class::Noun, Class::Place];
             let other = lexicon.find(&rest, &other).is_some();
             let thing = lexicon.find(&[word], &[Class::Thing]).is_some();
@@ -245,6 +242,10 @@ fn name(tokens: &[Token], at: usize, lexicon: &Lexicon) -> Option<(String, usize
         .map(|t| t.lower.as_str())
         .collect();
     found.then(|| (words.join(" "), end))
+}
+
+fn is_no_name(word: &str) -> bool {
+    is_glue(word) || ARTICLES.contains(&word) || OF_BODIES.contains(&word) || !may_name(word)
 }
 
 /// Whether a word behind a name is a noun that it belongs to, and no verb.

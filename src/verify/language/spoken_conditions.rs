@@ -1,5 +1,7 @@
 //! Words by which running text puts a condition on the formula that stands in its sentence.
 
+use crate::notation::document::{Formula, Item};
+
 /// Words that begin a condition.
 const IF: [&str; 6] = ["if", "when", "whenever", "provided", "suppose", "supposing"];
 
@@ -37,7 +39,7 @@ const WHERE: [&str; 26] = [
 const WRITERS: [&str; 4] = ["i", "we", "you", "one"];
 
 /// The condition that a sentence puts, from the word that begins it. "when differentiating" says how, and not when.
-pub(crate) fn condition_in(sentence: &str) -> Option<&str> {
+fn condition_in(sentence: &str) -> Option<&str> {
     let starts = sentence
         .char_indices()
         .filter(|&(at, _)| !sentence[..at].ends_with(char::is_alphanumeric));
@@ -61,4 +63,47 @@ fn begins_condition(rest: &str) -> bool {
         start.is_some_and(|start| start.eq_ignore_ascii_case(phrase)) && ends
     };
     IF.iter().any(|word| is(word)) && !says_how || WHERE.iter().any(|phrase| place(phrase))
+}
+
+/// Of a longer sentence only the end is kept.
+const LONGEST: usize = 400;
+
+/// The sentence of the text that is under way.
+#[derive(Default)]
+pub(crate) struct Lead {
+    words: String,
+}
+
+impl Lead {
+    /// Goes on past an item.
+    pub(crate) fn pass(&mut self, item: &Item) {
+        match item {
+            Item::Prose { text, .. } => self.add(text),
+            // A formula set apart ends what leads to the next one, as often as not.
+            Item::Formula(Formula { display: true, .. }) | Item::Heading { .. } | Item::Break => {
+                self.words.clear();
+            }
+            Item::Formula(_) => self.words.push('…'),
+            Item::Comment { .. } => {}
+        }
+    }
+
+    fn add(&mut self, text: &str) {
+        let stops = ['.', '!', '?', ';'];
+        let ends = text.match_indices(stops);
+        let mut ends =
+            ends.filter(|(at, stop)| text[at + stop.len()..].starts_with(char::is_whitespace));
+        match ends.next_back() {
+            None => self.words.push_str(text),
+            Some((at, stop)) => text[at + stop.len()..].clone_into(&mut self.words),
+        }
+        while self.words.len() > LONGEST {
+            self.words.remove(0);
+        }
+    }
+
+    /// The condition that it puts on what follows.
+    pub(crate) fn condition(&self) -> Option<&str> {
+        condition_in(&self.words)
+    }
 }

@@ -246,12 +246,10 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         }
         match sign {
-            Sign::Mark(mark) => {
-                let Some(mark) = mark_of(mark) else {
-                    return self.say_unused(declaration);
-                };
-                self.mark_means(mark, effect, reach);
-            }
+            Sign::Mark(mark) => match mark_of(mark) {
+                Some(mark) => self.mark_means(mark, effect, reach),
+                None => self.say_unused(declaration),
+            },
             Sign::Label { labels, on_whole } => {
                 self.labels_mean(labels, *on_whole, &effect, &reach)
             }

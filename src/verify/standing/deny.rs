@@ -49,7 +49,7 @@ impl Judge<'_> {
             held.doubt = Some(messages::LOADS_NOT_LISTED.into());
             return;
         }
-        if let Some(body) = self.vanish_on_principal_axes(residuals) {
+        if let Some(body) = self.holds_on_principal_axes(held, residuals) {
             held.doubt = Some(messages::untold_products(&body));
             return;
         }

@@ -1,16 +1,25 @@
 //! Lines that hold on principal axes, where no sentence says that the axes are.
 
 use crate::algebra::{Fraction, Variable};
-use crate::verify::model::atoms::Space;
+use crate::verify::facts::Source;
+use crate::verify::language::heads::PRINCIPAL_AXES;
+use crate::verify::model::atoms::{Space, fraction};
 use crate::verify::model::system::BodyId;
+use crate::verify::standing::hold::Held;
 use crate::verify::standing::judge::Judge;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
+use num_traits::Zero;
 use std::collections::{BTreeMap, BTreeSet};
 
 impl Judge<'_> {
-    /// The name of a body by whose products of inertia alone differences do not vanish, where no letter tells of these.
-    pub(super) fn vanish_on_principal_axes(&mut self, residuals: &[Fraction]) -> Option<String> {
+    /// The name of a body of whose products of inertia differences speak, where no letter tells of these and the sides are
+    /// the same where they vanish.
+    pub(super) fn holds_on_principal_axes(
+        &mut self,
+        held: &Held,
+        residuals: &[Fraction],
+    ) -> Option<String> {
         let atoms = &self.reading.system.atoms;
         let variables = residuals.iter().flat_map(Fraction::variables);
         let products = variables.filter_map(|v| match atoms.atom(v).key.space {
@@ -21,11 +30,19 @@ impl Judge<'_> {
         let body = *untold.values().next()?;
         let told = self.told_of_inertia();
         untold.retain(|v, _| !told.contains(v));
-        let vanish = residuals.iter().all(|residual| {
-            let mut terms = residual.numerator().terms().iter();
-            terms.all(|(term, _)| term.factors().any(|(v, _)| untold.contains_key(&v)))
-        });
-        vanish.then(|| self.reading.system.bodies[body].name.clone())
+        if untold.is_empty() {
+            return None;
+        }
+        let all = self.facts.clone();
+        let zeros = untold
+            .keys()
+            .map(|&v| (fraction(v), Source::Law(PRINCIPAL_AXES)));
+        let atoms = &mut self.reading.system.atoms;
+        self.facts.extend_all(atoms, zeros.collect());
+        let left = self.residuals(&held.sides);
+        self.facts = all;
+        let same = left.is_ok_and(|left| left.iter().all(Zero::is_zero));
+        same.then(|| self.reading.system.bodies[body].name.clone())
     }
 
     /// What stands in the moments, the products and the tensors of inertia for which there are letters.

@@ -145,7 +145,7 @@ $$ I=\sum_i m_i s_i^2 $$
 $$ I=2\sum_i m_i s_i^2 $$
 $$ H=w\sum_i m_i s_i^2 $$
 ";
-    assert_eq!(judged(sentences, text), "pprr");
+    assert_eq!(judged(sentences, text), "ppru");
 }
 
 #[test]
