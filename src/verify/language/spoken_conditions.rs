@@ -53,6 +53,7 @@ fn condition_in(sentence: &str) -> Option<&str> {
 fn begins_condition(rest: &str) -> bool {
     let mut words = rest.split_whitespace();
     let (first, second) = (words.next().unwrap_or_default(), words.next());
+    let second = second.map(|word| word.trim_end_matches(','));
     let says_how = second.is_some_and(|word| {
         word.ends_with("ing") || WRITERS.iter().any(|one| word.eq_ignore_ascii_case(one))
     });
@@ -62,8 +63,11 @@ fn begins_condition(rest: &str) -> bool {
         let ends = !rest[start.map_or(0, str::len)..].starts_with(char::is_alphanumeric);
         start.is_some_and(|start| start.eq_ignore_ascii_case(phrase)) && ends
     };
-    IF.iter().any(|word| is(word)) && !says_how || WHERE.iter().any(|phrase| place(phrase))
+    IF.iter().any(is) && !says_how || WHERE.iter().any(place)
 }
+
+/// What ends a sentence.
+const STOPS: [char; 4] = ['.', '!', '?', ';'];
 
 /// Of a longer sentence only the end is kept.
 const LONGEST: usize = 400;
@@ -80,26 +84,32 @@ impl Lead {
         match item {
             Item::Prose { text, .. } => self.add(text),
             // A formula set apart ends what leads to the next one, as often as not.
-            Item::Formula(Formula { display: true, .. }) | Item::Heading { .. } | Item::Break => {
+            Item::Formula(Formula { display: true, .. }) | Item::Heading { .. } => {
                 self.words.clear();
             }
+            // "At rest", and the formula in a paragraph of its own.
+            Item::Break if self.words.trim_end().ends_with(STOPS) => self.words.clear(),
+            Item::Break => self.words.push(' '),
             Item::Formula(_) => self.words.push('…'),
             Item::Comment { .. } => {}
         }
+        self.keep_the_end();
     }
 
     fn add(&mut self, text: &str) {
-        let stops = ['.', '!', '?', ';'];
-        let ends = text.match_indices(stops);
+        let ends = text.match_indices(STOPS);
         let mut ends =
             ends.filter(|(at, stop)| text[at + stop.len()..].starts_with(char::is_whitespace));
         match ends.next_back() {
             None => self.words.push_str(text),
             Some((at, stop)) => text[at + stop.len()..].clone_into(&mut self.words),
         }
-        while self.words.len() > LONGEST {
-            self.words.remove(0);
-        }
+    }
+
+    fn keep_the_end(&mut self) {
+        let over = self.words.len().saturating_sub(LONGEST);
+        let cut = (over..).find(|&at| self.words.is_char_boundary(at));
+        self.words.drain(..cut.unwrap_or(over));
     }
 
     /// The condition that it puts on what follows.

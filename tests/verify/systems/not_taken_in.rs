@@ -128,3 +128,24 @@ $$ D_{xy} = C_{xy} $$
 ";
     assert_eq!(judged(sentences, text), "u");
 }
+
+#[test]
+fn a_condition_of_the_text_that_no_sentence_declares_leaves_false_lines_open() {
+    let sentences = r"N is an inertial frame.
+P is a particle of mass $m$.
+$v$ is the speed of P relative to N.
+$T$ is the kinetic energy of P relative to N.
+";
+    let text = r"
+The particle may move slowly. If it does, $T = m v^2$ holds.
+
+It is often said that $T = m v^2$ holds.
+
+When differentiating, we get $T = 2 m v^2$.
+
+If we take the particle alone, we find $T = m v$. At rest
+
+$$ T = 0 $$
+";
+    assert_eq!(judged(sentences, text), "urrru");
+}
