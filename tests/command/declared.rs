@@ -282,13 +282,14 @@ B is a frame fixed in the box.
 $e_1, e_2, e_3$ are the axes of B.
 G is the mass centre of the box.
 $\\eta$ is the scalar part of $q$.
-$q$ takes components on B to components on D, scalar first.
+$q$ takes components on the axes of D to components on B, scalar first.
+$\\zeta$ is the scalar part of $p$.
 ";
     let folder = folder(&[("a.md", "$$ a=b $$\n"), ("a.declare", sentences)]);
     let output = polhode(folder.path(), &["check", "a.md", "--declare", "a.declare"]);
     let shown = text(&output.stderr);
     for said in [
-        "no sentence says what `D` is",
+        "no sentence says what `p` is",
         "it waits for another sentence of which nothing was made: \"$q$ takes components",
     ] {
         assert!(shown.contains(said), "{said}\n{shown}");
