@@ -169,3 +169,28 @@ $$ M=u+J\dot w+w\times(H+h) $$
 ";
     assert_eq!(judged(sentences, text), "prpprr");
 }
+
+const TWO_ON_A_ROD: &str = r"N is an inertial frame.
+B is a frame fixed in the rod.
+$u$, $v$, $w$ are the axes of B.
+B turns relative to N about $w$ by the angle $q$.
+O is the mass centre of the rod.
+O is fixed in N.
+$J$ is the moment of inertia of the rod about $w$.
+P is placed from O by $l u$.
+Q is placed from O by $-l u$.
+$T$ is the kinetic energy of the mechanism relative to N.
+";
+
+const ENERGIES: &str = r"
+$$ T=\left(\frac12 J+c l^2\right)\dot q^2 $$
+$$ T=\left(\frac12 J+\frac12 c l^2\right)\dot q^2 $$
+";
+
+#[test]
+fn things_of_one_noun_are_meant_by_its_plural() {
+    let sentences = format!(
+        "{TWO_ON_A_ROD}P is a collar.\nQ is a collar.\nEach collar is a particle of mass $c$.\nThe mechanism consists of the rod and the collars.\n"
+    );
+    assert_eq!(judged(&sentences, ENERGIES), "pr");
+}
