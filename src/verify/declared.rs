@@ -264,15 +264,15 @@ impl<'a> Rows<'a> {
 
     /// Leaves a false line open that holds under a condition of the text, of which the declarations don't speak.
     fn doubt_under_condition(&self, finding: &mut Finding) {
+        if finding.verdict != Verdict::Refuted {
+            return;
+        }
         let Some(condition) = self.lead.condition() else {
             return;
         };
         let at = self.at(finding.span);
-        let spoken_of = self
-            .judgments
-            .iter()
-            .any(|own| own.judge.part.speaks_of(&at));
-        if finding.verdict == Verdict::Refuted && !spoken_of {
+        let mut parts = self.judgments.iter().map(|own| &own.judge.part);
+        if !parts.any(|part| part.speaks_of(&at)) {
             finding.leave_open(under_condition(condition));
         }
     }

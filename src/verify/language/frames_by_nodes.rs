@@ -3,7 +3,7 @@
 use super::flat_bodies::is_inertial;
 use super::heads::UNIT_VECTOR;
 use super::kinds::name;
-use super::planar_axes::axis;
+use super::planar_axes::{axis, turns_by};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::terms::leave_out;
@@ -317,16 +317,7 @@ fn statements(
     let level = Term::Name(format!("level {}", name(frame)?));
     let turn = |frame: &Term, from: &Term, about: usize, by: &str| {
         let by = Term::Formula(formula(by, false, macros)?);
-        let by = NounPhrase::new("angle", vec![(Slot::Which, by)]);
-        Some(Statement::Does {
-            subjects: vec![frame.clone()],
-            verb: "turn",
-            slots: vec![
-                (Slot::RelativeTo, from.clone()),
-                (Slot::About, axis(about, Some(from))),
-                (Slot::By, Term::Phrase(Box::new(by))),
-            ],
-        })
+        Some(turns_by(frame, from, axis(about, Some(from)), by))
     };
     Some(vec![
         Statement::one_is(level.clone(), NounPhrase::new("frame", vec![])),

@@ -2,7 +2,7 @@
 
 use super::heads::{CONSTANT, CONTACT_POINT, UNIT_VECTOR, VERTICAL};
 use super::kinds::name;
-use super::planar_axes::{axes_of, axis};
+use super::planar_axes::{axes_of, axis, turns_by};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::leave_out;
@@ -70,7 +70,6 @@ fn statements(
         false => angle.source.clone(),
     };
     let by = Term::Formula(formula(&source, false, macros)?);
-    let by = NounPhrase::new("angle", vec![(Slot::Which, by)]);
     let base = level(frame);
     let Term::Phrase(third) = axis(*tilted, Some(&base)) else {
         return None;
@@ -82,15 +81,7 @@ fn statements(
     });
     let constant =
         (!constant).then(|| Statement::one_is(letter, NounPhrase::new(CONSTANT, vec![])));
-    let turn = Statement::Does {
-        subjects: vec![frame.clone()],
-        verb: "turn",
-        slots: vec![
-            (Slot::RelativeTo, base.clone()),
-            (Slot::About, axis(*about, Some(&base))),
-            (Slot::By, Term::Phrase(Box::new(by))),
-        ],
-    };
+    let turn = turns_by(frame, &base, axis(*about, Some(&base)), by);
     let frames = Statement::one_is(base, NounPhrase::new("frame", vec![]));
     let told = [frames, Statement::one_is(upright.clone(), *third), turn];
     Some(told.into_iter().chain(constant).collect())

@@ -18,6 +18,20 @@ pub(super) fn axis(number: usize, of: Option<&Term>) -> Term {
     Term::Phrase(Box::new(NounPhrase::new("axis", slots)))
 }
 
+/// "B turns relative to A about `$k$` by `$\theta$`"
+pub(super) fn turns_by(frame: &Term, from: &Term, about: Term, angle: Term) -> Statement {
+    let by = NounPhrase::new("angle", vec![(Slot::Which, angle)]);
+    Statement::Does {
+        subjects: vec![frame.clone()],
+        verb: "turn",
+        slots: vec![
+            (Slot::RelativeTo, from.clone()),
+            (Slot::About, about),
+            (Slot::By, Term::Phrase(Box::new(by))),
+        ],
+    }
+}
+
 /// "the upward vertical", "the downward vertical"
 pub(super) fn vertical(sense: &'static str) -> NounPhrase {
     let mut vertical = NounPhrase::new(VERTICAL, vec![]);

@@ -2,7 +2,7 @@
 
 use super::heads::{POSITIVE_ABOUT, UNIT_VECTOR, VERTICAL};
 use super::kinds::{is_said_to_be_body, name};
-use super::planar_axes::axis;
+use super::planar_axes::{axis, turns_by};
 use super::reader::formula;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::leave_out;
@@ -217,16 +217,7 @@ fn statements(
     let leaning = Term::Name(format!("leaning {}", name(end)?));
     let turn = |frame: &Term, from: &Term, about: usize, by: &str| {
         let by = Term::Formula(formula(by, false, macros)?);
-        let by = NounPhrase::new("angle", vec![(Slot::Which, by)]);
-        Some(Statement::Does {
-            subjects: vec![frame.clone()],
-            verb: "turn",
-            slots: vec![
-                (Slot::RelativeTo, from.clone()),
-                (Slot::About, axis(about, Some(from))),
-                (Slot::By, Term::Phrase(Box::new(by))),
-            ],
-        })
+        Some(turns_by(frame, from, axis(about, Some(from)), by))
     };
     let away = NounPhrase::new("distance", vec![(Slot::Which, far)]);
     let placed = Statement::Does {

@@ -2,7 +2,8 @@
 
 use super::frames_shown::frames_shown;
 use super::kinds::name;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::planar_axes::turns_by;
+use super::statement::{Declaration, Slot, Statement, Term};
 
 /// "`$\theta$` is the angle of A relative to N about z", of frames A and N: A turns relative to N about z by the angle θ.
 pub(super) fn turn_frames(declarations: &mut [Declaration]) {
@@ -31,15 +32,6 @@ pub(super) fn turn_frames(declarations: &mut [Declaration]) {
         if !plain || turned.contains(of) {
             continue;
         }
-        let by = NounPhrase::new("angle", vec![(Slot::Which, angle.clone())]);
-        declaration.statement = Statement::Does {
-            subjects: vec![of.clone()],
-            verb: "turn",
-            slots: vec![
-                (Slot::RelativeTo, from.clone()),
-                (Slot::About, about.clone()),
-                (Slot::By, Term::Phrase(Box::new(by))),
-            ],
-        };
+        declaration.statement = turns_by(of, from, about.clone(), angle.clone());
     }
 }

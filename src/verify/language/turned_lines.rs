@@ -4,7 +4,7 @@ use super::frames_by_nodes::turn_by_nodes;
 use super::heads::{POSITIVE_ABOUT, POSITIVE_TOWARDS, TOWARDS, VERTICAL};
 use super::inclined_frames::incline_frames;
 use super::kinds::name;
-use super::planar_axes::axis;
+use super::planar_axes::{axes_of, axis, turns_by};
 use super::planar_lines::{Line, line_between, place_along, place_ends};
 use super::reader::formula;
 use super::spherical_angles::place_by_spherical_angles;
@@ -27,12 +27,7 @@ pub(super) struct Direction {
 impl Direction {
     /// The name of its axis, where a sentence names those of its frame.
     pub(super) fn axis_name(&self, declarations: &[Declaration]) -> Option<String> {
-        let axes = declarations.iter().find_map(|d| match &d.statement {
-            Statement::Is { subjects, what } if what.head == "axes" => {
-                (what.slot(Slot::Of) == Some(&self.frame)).then_some(subjects)
-            }
-            _ => None,
-        })?;
+        let axes = axes_of(&self.frame, declarations)?;
         name(axes.get(self.number - 1)?)
     }
 }
@@ -121,16 +116,8 @@ fn turned(
         (true, false) => format!("\\pi-{}", letter.source),
     };
     let angle = Term::Formula(formula(&source, false, macros)?);
-    let by = NounPhrase::new("angle", vec![(Slot::Which, angle)]);
-    let turn = Statement::Does {
-        subjects: vec![line.turning().clone()],
-        verb: "turn",
-        slots: vec![
-            (Slot::RelativeTo, from.frame.clone()),
-            (Slot::About, axis(about, Some(&from.frame))),
-            (Slot::By, Term::Phrase(Box::new(by))),
-        ],
-    };
+    let about = axis(about, Some(&from.frame));
+    let turn = turns_by(line.turning(), &from.frame, about, angle);
     Some((line, from.number, turn))
 }
 

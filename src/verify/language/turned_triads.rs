@@ -1,9 +1,9 @@
 //! Frames that share an axis, told by the angle between two others of their axes: they turn about the shared one by it.
 
 use super::kinds::name;
-use super::planar_axes::{axes_of, axis};
+use super::planar_axes::{axes_of, axis, turns_by};
 use super::reader::formula;
-use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use super::statement::{Declaration, Slot, Statement, Term};
 use super::turned_lines::{direction, sense};
 use crate::notation::Macros;
 
@@ -57,16 +57,8 @@ fn turned(
         false => format!("-{}", letter.source),
     };
     let angle = Term::Formula(formula(&source, false, macros)?);
-    let by = NounPhrase::new("angle", vec![(Slot::Which, angle)]);
-    let turn = Statement::Does {
-        subjects: vec![to.frame],
-        verb: "turn",
-        slots: vec![
-            (Slot::RelativeTo, from.frame.clone()),
-            (Slot::About, axis(about, Some(&from.frame))),
-            (Slot::By, Term::Phrase(Box::new(by))),
-        ],
-    };
+    let about = axis(about, Some(&from.frame));
+    let turn = turns_by(&to.frame, &from.frame, about, angle);
     Some((turn, shared))
 }
 

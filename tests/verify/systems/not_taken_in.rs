@@ -149,3 +149,17 @@ $$ T = 0 $$
 ";
     assert_eq!(judged(sentences, text), "urrru");
 }
+
+#[test]
+fn a_letter_that_may_be_a_distance_or_a_position_is_neither() {
+    let sentences = r"N is an inertial frame.
+B is a frame fixed in the arm.
+$b_1$, $b_2$, $b_3$ are the axes of B.
+B turns relative to N about $b_3$ by the angle $q$.
+O is a point fixed in N and in B.
+P is a point fixed in B.
+P is at $l$ from O.
+$v$ is the speed of P relative to N.
+";
+    assert_eq!(verdicts(sentences, "$$ v = l\\dot q $$\n").0, "u");
+}
