@@ -140,6 +140,14 @@ impl Reader<'_> {
                 }
                 self.end_heading(range);
             }
+            // Text that is set in from the margin with formulas in it is no code.
+            Event::Start(Tag::CodeBlock(CodeBlockKind::Indented)) if self.has_formulas(&range) => {
+                self.formulas_before(range.start);
+            }
+            Event::End(TagEnd::CodeBlock) if self.code == 0 => {
+                self.formulas_before(range.end);
+                self.items.push(Item::Break);
+            }
             Event::Start(Tag::CodeBlock(kind)) => {
                 self.code += 1;
                 self.unlabelled = match kind {
@@ -194,6 +202,19 @@ impl Reader<'_> {
             }
             self.next += 1;
         }
+    }
+
+    /// Whether formulas with commands of LaTeX stand between their signs in a piece of the text.
+    fn has_formulas(&self, range: &Range<usize>) -> bool {
+        let mut inside = self.regions[self.next..].iter();
+        let mut inside = inside.by_ref().take_while(|r| r.outer.start < range.end);
+        inside.any(|region| {
+            let formula = self.text.get(region.inner.clone()).unwrap_or("");
+            let follows =
+                |at: usize| formula[at + 1..].starts_with(|c: char| c.is_ascii_alphabetic());
+            region.outer.start >= range.start
+                && formula.match_indices('\\').any(|(at, _)| follows(at))
+        })
     }
 
     /// Whether a piece of the text is mathematics in Unicode: it has a sign of relation, and letters or signs that programs

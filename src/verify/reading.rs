@@ -215,6 +215,8 @@ pub(crate) struct Sizes {
     pub(crate) reference: BTreeSet<String>,
     /// Letters that small oscillations tell.
     pub(crate) swings: Vec<Swing>,
+    /// The small disturbances of reference values.
+    pub(crate) disturbances: BTreeSet<Variable>,
 }
 
 /// What is told of first-order changes.

@@ -27,6 +27,8 @@ heads! {
     TURNED_VECTOR = "turned vector";
     /// A row of a matrix as a column.
     TRANSPOSED_ROW = "transposed row";
+    /// The matrix of the cofactors of a matrix.
+    COFACTORS = "cofactor matrix";
     /// The mass of a body for its length, area or volume, in each place of it.
     DENSITY = "density";
     ANGULAR_VELOCITY = "angular velocity";

@@ -7,7 +7,8 @@ use crate::verify::language::heads::IDENTITY_MATRIX;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
-use crate::verify::reading::names::node_of;
+use crate::verify::reading::names::{node_of, written};
+use crate::verify::reading::relations_read::{labelled_entry, told_entries};
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
 
@@ -114,6 +115,48 @@ impl Builder<'_> {
         let of = entries.iter().map(|entry| (Slot::Of, entry.clone()));
         let what = NounPhrase::new("column", of.collect());
         self.read_column(&[column], &what, declaration);
+        true
+    }
+}
+
+impl Builder<'_> {
+    /// "`A_{ij}` is entry (i, j) of `A`", where no sentence says what `A` is: the letters are the entries of what the
+    /// document's lines make of it.
+    pub(super) fn read_entries_of_untold_matrix(
+        &mut self,
+        subjects: &[Term],
+        what: &NounPhrase,
+        declaration: &Declaration,
+    ) -> bool {
+        let Some(Term::Formula(matrix)) = what.slot(Slot::Of) else {
+            return false;
+        };
+        let by_number = what.slot(Slot::Which).is_some();
+        if !by_number || self.is_told(matrix, declaration) {
+            return false;
+        }
+        let numbered = told_entries(what);
+        let of_one = |(place, formula): (usize, &Formula)| {
+            let all = self.letters_of_entries(formula);
+            let told = numbered.get(place).copied();
+            let entry = told.or_else(|| labelled_entry(formula));
+            let single = entry.map(|entry| (formula.clone(), entry));
+            if all.is_empty() {
+                single.into_iter().collect()
+            } else {
+                all
+            }
+        };
+        let letters: Vec<Vec<_>> = formulas(subjects).enumerate().map(of_one).collect();
+        if letters.iter().any(Vec::is_empty) {
+            return false;
+        }
+        for (letter, [row, column]) in letters.concat() {
+            let source = format!("({})_{{{}{}}}", matrix.source, row + 1, column + 1);
+            if let Some(entry) = written(&source).as_ref().and_then(node_of) {
+                self.denote(&letter, Meaning::Same(Box::new(entry.clone())), declaration);
+            }
+        }
         true
     }
 }

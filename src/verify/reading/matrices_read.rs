@@ -4,7 +4,7 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
 use crate::notation::print::latex;
 use crate::notation::{Macros, read_formula};
-use crate::verify::language::heads::TRANSPOSED_ROW;
+use crate::verify::language::heads::{COFACTORS, TRANSPOSED_ROW};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
@@ -45,6 +45,10 @@ impl Builder<'_> {
             "determinant" => format!("\\det\\left({text}\\right)"),
             "inverse" => format!("\\left({text}\\right)^{{-1}}"),
             "transpose" => format!("\\left({text}\\right)^{{T}}"),
+            "adjugate" => format!("\\det\\left({text}\\right)\\left({text}\\right)^{{-1}}"),
+            COFACTORS => format!(
+                "\\det\\left({text}\\right)\\left(\\left({text}\\right)^{{-1}}\\right)^{{T}}"
+            ),
             _ => return None,
         })?;
         self.denote(letter, Meaning::Same(Box::new(made)), declaration);
@@ -167,7 +171,11 @@ impl Builder<'_> {
 
 /// Whether a noun says what is made of a matrix.
 pub(super) fn is_made_of_matrix(head: &str) -> bool {
-    matches!(head, "trace" | "determinant" | "inverse" | "transpose") || head == TRANSPOSED_ROW
+    let one_word = matches!(
+        head,
+        "trace" | "determinant" | "inverse" | "transpose" | "adjugate"
+    );
+    one_word || head == TRANSPOSED_ROW || head == COFACTORS
 }
 
 /// The letter of the matrix that a noun is of.

@@ -71,6 +71,7 @@ impl Builder<'_> {
                 self.say_unused(declaration);
             }
         }
+        self.reading.sizes.disturbances = self.disturbances().into_iter().collect();
         self.change_by_disturbances();
     }
 

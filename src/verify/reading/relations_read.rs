@@ -153,6 +153,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<()> {
         let of = what.slot(Slot::Of).cloned()?;
+        if self.read_entries_of_untold_matrix(subjects, what, declaration) {
+            return Some(());
+        }
         let of = self.operand(&of, declaration)?;
         let on = what
             .slot(Slot::On)
@@ -167,7 +170,7 @@ impl Builder<'_> {
             self.read_components(subjects, &components, declaration);
             return Some(());
         }
-        let numbered: Vec<[usize; 2]> = what.all(Slot::Which).filter_map(entry_numbers).collect();
+        let numbered = told_entries(what);
         if let Quantity::Known(value) = &of
             && value.is_quaternion()
             && what.slot(Slot::Which).is_none()
@@ -216,8 +219,25 @@ impl Builder<'_> {
         counted: bool,
         declaration: &Declaration,
     ) -> bool {
+        let integral = !counted && is_tensor(of) && self.says_integrals(declaration);
+        let letters = self.letters_of_entries(formula);
+        for (letter, [row, column]) in &letters {
+            let quantity = Quantity::Entry {
+                of: of.clone().boxed(),
+                row: *row,
+                column: *column,
+                on,
+                integral: integral && row != column,
+            };
+            self.denote(letter, Meaning::Quantity(quantity), declaration);
+        }
+        !letters.is_empty()
+    }
+
+    /// The letters of all entries, where a letter with two labels that number axes stands for them.
+    pub(super) fn letters_of_entries(&self, formula: &Formula) -> Vec<(Formula, [usize; 2])> {
         let Some(Kind::Symbol(symbol)) = node_of(formula).map(|node| &node.kind) else {
-            return false;
+            return vec![];
         };
         let letters = &self.reading.letters.indices;
         let number = |letter: &str| letters.iter().any(|rule| rule.letter == letter);
@@ -226,25 +246,16 @@ impl Builder<'_> {
             letters.len() == 2 && letters.iter().all(|letter| number(letter))
         };
         if !symbol.subscripts.last().is_some_and(numbers) {
-            return false;
+            return vec![];
         }
-        let integral = !counted && is_tensor(of) && self.says_integrals(declaration);
-        for (names, (row, column)) in LABELS
+        let each = LABELS
             .iter()
-            .flat_map(|names| (0..9).map(move |n| (names, (n / 3, n % 3))))
-        {
-            let symbol = with_number(symbol, &format!("{}{}", names[row], names[column]));
-            let letter = Formula::of(&symbol_node(&symbol));
-            let quantity = Quantity::Entry {
-                of: of.clone().boxed(),
-                row,
-                column,
-                on,
-                integral: integral && row != column,
-            };
-            self.denote(&letter, Meaning::Quantity(quantity), declaration);
-        }
-        true
+            .flat_map(|names| (0..9).map(move |n| (names, [n / 3, n % 3])));
+        let letter = |(names, [row, column]): (&[&str; 3], [usize; 2])| {
+            let labelled = with_number(symbol, &format!("{}{}", names[row], names[column]));
+            (Formula::of(&symbol_node(&labelled)), [row, column])
+        };
+        each.map(letter).collect()
     }
 
     pub(super) fn read_same(&mut self, declaration: &Declaration) {
@@ -375,6 +386,11 @@ fn is_tensor(quantity: &Quantity) -> bool {
         Quantity::On(of, _) => is_tensor(of),
         _ => false,
     }
+}
+
+/// Rows and columns that are told by their numbers.
+pub(super) fn told_entries(what: &NounPhrase) -> Vec<[usize; 2]> {
+    what.all(Slot::Which).filter_map(entry_numbers).collect()
 }
 
 /// The numbers of "entry (2, 3)", counted from 0.

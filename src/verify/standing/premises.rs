@@ -1,6 +1,6 @@
 //! What is in force at a place: declared premises, and what accepted lines say.
 
-use crate::algebra::Fraction;
+use crate::algebra::{Fraction, Variable};
 use crate::verify::Role;
 use crate::verify::facts::Source;
 use crate::verify::facts::premises::{Extended, Facts, OutOfBudget};
@@ -87,6 +87,9 @@ impl Judge<'_> {
         let before = self.reading.settled.len();
         for (left, right) in &*held.sides {
             let equation = left.clone() - right.clone();
+            if self.is_of_undisturbed_motion(&equation) {
+                continue;
+            }
             let atoms = &mut self.reading.system.atoms;
             match self.facts.extend(atoms, &equation, source) {
                 Ok(Extended::Contradicts) => {
@@ -113,6 +116,21 @@ impl Judge<'_> {
             self.vary_definition(held, source);
         }
         Answer::Accepted
+    }
+
+    /// Whether an equation without disturbances says that there are none: it is one of the motion that is disturbed elsewhere.
+    fn is_of_undisturbed_motion(&mut self, equation: &Fraction) -> bool {
+        let disturbances = &self.reading.sizes.disturbances;
+        let is_small = |v: &Variable| disturbances.contains(v);
+        if disturbances.is_empty() || equation.variables().iter().any(is_small) {
+            return false;
+        }
+        let atoms = &mut self.reading.system.atoms;
+        let Ok(value) = self.facts.normal(atoms, equation) else {
+            return false;
+        };
+        let variables = value.variables();
+        !variables.is_empty() && variables.iter().all(is_small)
     }
 
     /// What is refuted tells nothing, in no component: takes back what was accepted behind a number of premises.

@@ -9,6 +9,7 @@ use crate::verify::term::letters::{Effect, Meaning, Operator, loosely, spell, sp
 use crate::verify::term::lower::Lowering;
 use crate::verify::term::symbols::symbol_node;
 use crate::verify::term::value::{AT_INSTANT, Basis, Trouble, Value, Valued, beyond};
+use std::collections::BTreeSet;
 
 impl Lowering<'_> {
     /// A letter before brackets: a function that the document defines, a function of time, or a product.
@@ -245,12 +246,11 @@ impl Lowering<'_> {
     }
 }
 
-/// Whether a value is told by a letter that stands in brackets behind it, `R(\alpha)` where R turns by α.
+/// Whether a value is told by the letters that stand in brackets behind it, `R(\alpha)` where R turns by α, or by the entries
+/// of a column of angles, `R(\eta)`.
 pub(super) fn is_function_of(value: &Value, argument: &Value, system: &mut System) -> bool {
-    let [letter] = argument.entries.as_slice() else {
-        return false;
-    };
-    let Some(letter) = letter.as_variable() else {
+    let letters = argument.entries.iter().map(Fraction::as_variable);
+    let Some(letters) = letters.collect::<Option<Vec<Variable>>>() else {
         return false;
     };
     if (value.rows, value.columns) != (3, 3) {
@@ -261,12 +261,12 @@ pub(super) fn is_function_of(value: &Value, argument: &Value, system: &mut Syste
         [Basis::On(to), Basis::On(from)] => system.rotation(to, from),
         _ => Matrix::zeros(),
     };
-    let told_by = |v: Variable| {
-        let angle = system.atoms.angle_of(v);
-        angle.is_some_and(|angle| angle.variables().contains(&letter))
-    };
     let entries = value.entries.iter().chain(turned.iter());
-    entries.flat_map(Fraction::variables).any(told_by)
+    let functions = entries.flat_map(Fraction::variables);
+    let angles = functions.filter_map(|v| system.atoms.angle_of(v));
+    let told_by: BTreeSet<Variable> = angles.flat_map(|angle| angle.variables()).collect();
+    let all = letters.len() == 1 || told_by.iter().all(|angle| letters.contains(angle));
+    all && letters.iter().any(|letter| told_by.contains(letter))
 }
 
 pub(super) fn is_time(argument: &Node) -> bool {
