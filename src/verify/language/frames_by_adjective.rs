@@ -1,5 +1,6 @@
 //! Frames that have no name but their adjective: "the moving frame", "the body axes".
 
+use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,6 +58,52 @@ fn is_of_axes_that_meet(statement: &Statement) -> bool {
         }
         None => false,
     }
+}
+
+/// "B is a body-fixed frame": it is fixed in the body, where one is spoken of, or in the only one that a sentence tells of.
+pub(super) fn fix_body_frames(declarations: &mut [Declaration]) {
+    let fixed = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => subjects.clone(),
+        _ => vec![],
+    };
+    let fixed: Vec<Term> = declarations.iter().flat_map(fixed).collect();
+    let Some(body) = only_body(declarations) else {
+        return;
+    };
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let anew = !subjects.iter().any(|frame| fixed.contains(frame));
+        if what.head == "frame" && what.is("body-fixed") && what.slots.is_empty() && anew {
+            what.adjectives.retain(|said| *said != "body-fixed");
+            what.slots = vec![(Slot::FixedIn, body.clone())];
+        }
+    }
+}
+
+/// The only body of which sentences speak: "the body", or the only thing that is said to be one.
+fn only_body(declarations: &[Declaration]) -> Option<Term> {
+    let said = declarations.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if is_body(what.head) => subjects.as_slice(),
+        _ => &[],
+    });
+    let mut bodies: BTreeSet<String> = said.filter_map(name).collect();
+    let speaks = |d: &Declaration| d.statement.terms().into_iter().any(is_the_body);
+    match (bodies.len(), declarations.iter().any(speaks)) {
+        (0, true) => Some(Term::Name("body".to_owned())),
+        (1, false) => bodies.pop_first().map(Term::Name),
+        _ => None,
+    }
+}
+
+/// "the body"
+fn is_the_body(term: &Term) -> bool {
+    let inner = match term {
+        Term::Phrase(phrase) => phrase.slots.iter().any(|(_, term)| is_the_body(term)),
+        _ => false,
+    };
+    inner || name(term).is_some_and(|name| name == "body")
 }
 
 /// "The frame of the body", where nothing is called the body, is the body-fixed one.

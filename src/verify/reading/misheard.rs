@@ -95,7 +95,9 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
         Statement::Is { subjects, what } => {
-            statement.tells_sense() || is_told_otherwise(subjects, what)
+            // What would be fixed in itself is another thing.
+            let itself = what.all(Slot::FixedIn).any(|of| subjects.contains(of));
+            itself || statement.tells_sense() || is_told_otherwise(subjects, what)
         }
         Statement::Premise(what) => {
             // Where or when alone nothing else acts is not worked with.
