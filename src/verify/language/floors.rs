@@ -13,7 +13,9 @@ const ON_PLANES: [&str; 3] = ["roll", "slide", "touch"];
 /// Says of each floor on which something rolls or slides, and of what is called horizontal there, that it is a level plane,
 /// where no sentence says what it is.
 pub(crate) fn lay_floors(declarations: &mut Vec<Declaration>) {
-    LEVEL.iter().for_each(|floor| level_plane(declarations, floor));
+    LEVEL
+        .iter()
+        .for_each(|floor| level_plane(declarations, floor));
     let said = declarations.iter().filter_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "horizontal" => name(subjects.first()?),
         _ => None,

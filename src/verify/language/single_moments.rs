@@ -63,8 +63,16 @@ fn line_of(axis: Term, point: Option<Term>) -> (Term, Term, Option<Term>) {
 /// What a sentence says to be axes or directions.
 fn directions_in(declaration: &Declaration) -> Vec<Term> {
     match &declaration.statement {
+        Statement::Is { subjects, what } if what.head == "vector" => subjects.clone(),
+        _ => axes_in(declaration),
+    }
+}
+
+/// What a sentence says to be axes, or of length one.
+pub(super) fn axes_in(declaration: &Declaration) -> Vec<Term> {
+    match &declaration.statement {
         Statement::Is { subjects, what } => {
-            let axes = matches!(what.head, "axes" | "vector" | UNIT_VECTOR | PRINCIPAL_AXES);
+            let axes = matches!(what.head, "axes" | UNIT_VECTOR | PRINCIPAL_AXES);
             let own = subjects
                 .iter()
                 .filter(|_| axes || AXES.contains(&what.head));

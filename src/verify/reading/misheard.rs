@@ -115,7 +115,12 @@ fn is_misheard(statement: &Statement) -> bool {
                     | Sign::Label { .. }
                     | Sign::Custom(UNDERBRACE | WAY_OF_SETTING)
             );
-            *meaning == NotationMeaning::Fixed(NOTHING) && !plain
+            // One label has no components on two frames.
+            let on_several = match meaning {
+                NotationMeaning::Noun(noun) => noun.all(Slot::On).count() > 1,
+                _ => false,
+            };
+            *meaning == NotationMeaning::Fixed(NOTHING) && !plain || on_several
         }
         _ => false,
     }

@@ -31,7 +31,8 @@ impl Builder<'_> {
         // Beside a list of loads it says that no couple is among them, and not what their moment about a point is.
         let placed = [Slot::About, Slot::At, Slot::Along];
         let placed = placed.iter().any(|slot| premise.slot(*slot).is_some());
-        if !placed && self.are_loads_listed() {
+        let couple = declaration.text.contains("couple");
+        if !placed && (couple || self.are_loads_listed()) {
             return None;
         }
         let of = self.whole_of(premise)?;

@@ -67,4 +67,3 @@ pub(super) fn letters_in_node(node: &Node) -> BTreeSet<String> {
         None => node.children().flat_map(letters_in_node).collect(),
     }
 }
-
