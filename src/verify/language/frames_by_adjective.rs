@@ -82,6 +82,41 @@ pub(super) fn fix_body_frames(declarations: &mut [Declaration]) {
     }
 }
 
+/// "A moves with the ring", where something turns relative to A: a frame that is fixed in the ring.
+pub(super) fn fix_carried_frames(declarations: &mut [Declaration]) {
+    let bases = declarations
+        .iter()
+        .flat_map(|d| match d.statement.does("turn") {
+            Some((turning, slots)) => {
+                let base = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);
+                let mut all: Vec<Term> = base.map(|(_, frame)| frame.clone()).collect();
+                all.extend(turning.iter().cloned());
+                all
+            }
+            None => vec![],
+        });
+    let turning: Vec<Term> = bases.collect();
+    let told = declarations.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, .. } => subjects.clone(),
+        _ => vec![],
+    });
+    let told: Vec<Term> = told.collect();
+    for declaration in declarations {
+        let carried = match declaration.statement.does("move") {
+            Some(([frame @ Term::Name(own)], [(Slot::With, body @ Term::Name(thing))])) => {
+                let named = own.starts_with(char::is_uppercase) && !told.contains(frame);
+                let carries = thing.starts_with(char::is_lowercase) && turning.contains(frame);
+                (named && carries).then(|| (frame.clone(), body.clone()))
+            }
+            _ => None,
+        };
+        if let Some((frame, body)) = carried {
+            let what = NounPhrase::new("frame", vec![(Slot::FixedIn, body)]);
+            declaration.statement = Statement::one_is(frame, what);
+        }
+    }
+}
+
 /// The only body of which sentences speak: "the body", or the only thing that is said to be one.
 fn only_body(declarations: &[Declaration]) -> Option<Term> {
     let said = declarations.iter().flat_map(|d| match &d.statement {
@@ -92,8 +127,31 @@ fn only_body(declarations: &[Declaration]) -> Option<Term> {
     let speaks = |d: &Declaration| d.statement.terms().into_iter().any(is_the_body);
     match (bodies.len(), declarations.iter().any(speaks)) {
         (0, true) => Some(Term::Name("body".to_owned())),
-        (1, false) => bodies.pop_first().map(Term::Name),
+        (1, false) => {
+            let only = bodies.pop_first()?;
+            let other = |d: &Declaration| {
+                let mut terms = d.statement.terms().into_iter();
+                terms.any(|term| names_another(term, &only))
+            };
+            let alone = !declarations.iter().any(other);
+            alone.then(|| Term::Name(only.clone()))
+        }
         _ => None,
+    }
+}
+
+/// Whether a term has the name of another thing: "the wheel".
+fn names_another(term: &Term, only: &str) -> bool {
+    match term {
+        Term::Name(name) => {
+            name.chars().count() > 1 && name.starts_with(char::is_lowercase) && name != only
+        }
+        Term::Member { .. } => true,
+        Term::Phrase(phrase) => phrase
+            .slots
+            .iter()
+            .any(|(_, term)| names_another(term, only)),
+        _ => false,
     }
 }
 

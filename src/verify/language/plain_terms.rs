@@ -24,7 +24,7 @@ use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
 use super::floors::lay_floors;
-use super::frames_by_adjective::{fix_body_frames, tell_body_frames};
+use super::frames_by_adjective::{fix_body_frames, fix_carried_frames, tell_body_frames};
 use super::frames_shown::show_frames;
 use super::gathered_sizes::gather_sizes;
 use super::generalised_momenta::tell_generalised_momenta;
@@ -146,6 +146,7 @@ fn name_things(
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
     give_sizes_aside(&mut declarations);
+    fix_carried_frames(&mut declarations);
     fix_body_frames(&mut declarations);
     tell_body_frames(&mut declarations);
     tell_letters_at_instants(&mut declarations);

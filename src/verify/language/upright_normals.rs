@@ -1,6 +1,6 @@
 //! "`$k$` is the upward normal of the table", which is level: the upward vertical.
 
-use super::heads::{NORMAL, VERTICAL};
+use super::heads::{NORMAL, UNIT_VECTOR, VERTICAL};
 use super::statement::{Declaration, Slot, Statement, Term};
 
 /// The adjective of what is level, and its noun.
@@ -23,6 +23,17 @@ pub(super) fn tell_upright_normals(declarations: &mut [Declaration]) {
         let Statement::Is { subjects, what } = &mut declaration.statement else {
             continue;
         };
+        // "the upward vertical unit vector"
+        if matches!(what.head, "vector" | UNIT_VECTOR) && what.is(VERTICAL) && what.slots.is_empty()
+        {
+            let upright = |said: &&str| WAYS.contains(said) || *said == VERTICAL;
+            let ways = what.adjectives.iter().filter(|said| WAYS.contains(*said));
+            if ways.count() == 1 && what.adjectives.iter().all(upright) {
+                what.head = VERTICAL;
+                what.adjectives.retain(|said| *said != VERTICAL);
+            }
+            continue;
+        }
         let [way] = what.adjectives.as_slice() else {
             continue;
         };

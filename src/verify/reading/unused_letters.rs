@@ -2,7 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::MASS;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement};
 use crate::verify::language::{is_bodily, only_names};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::node_of;
