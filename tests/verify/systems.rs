@@ -18,6 +18,7 @@ mod families_and_types;
 mod family_loads;
 mod frames_that_move;
 mod free_wording;
+mod half_read;
 mod hung_rods;
 mod idle_words;
 mod impacts;

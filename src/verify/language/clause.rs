@@ -9,6 +9,7 @@ use super::reader::{COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
+use super::{is_quantity, is_thing};
 
 /// Space has no more dimensions than this: matrices grow with their square.
 const MOST_DIMENSIONS: usize = 8;
@@ -195,7 +196,17 @@ impl<'a> Reader<'a> {
                 self.at = start;
                 break;
             }
-            statements.extend(self.predicate(subjects, formulas.map(<[Formula]>::to_vec))?);
+            let more = self.predicate(subjects, formulas.map(<[Formula]>::to_vec))?;
+            let (last, first) = (statements.last(), more.first());
+            // "`$r$` is the position of P, a point fixed in B": P is that point, and no letter is both.
+            if formulas.is_some()
+                && last.is_some_and(says_quantity)
+                && first.is_some_and(says_thing)
+            {
+                self.at = start;
+                break;
+            }
+            statements.extend(more);
         }
         Ok(())
     }
@@ -386,4 +397,14 @@ pub(crate) fn as_formula(term: &Term) -> Option<Formula> {
         Term::Formula(formula) => Some(formula.clone()),
         _ => None,
     }
+}
+
+/// Whether letters are said to be a quantity.
+fn says_quantity(statement: &Statement) -> bool {
+    matches!(statement, Statement::Is { what, .. } if is_quantity(what.head))
+}
+
+/// Whether something is said to be a body or a place.
+fn says_thing(statement: &Statement) -> bool {
+    matches!(statement, Statement::Is { what, .. } if is_thing(what.head))
 }

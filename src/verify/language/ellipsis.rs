@@ -139,7 +139,15 @@ fn related(first: &[Token], second: &[Token], lexicon: &Lexicon) -> Vec<Vec<Toke
     // "the kinetic energy of the top, which is not zero": a letter is, and not a thing.
     let valued =
         (is_of_quantities(rest) || is_way_of_load(first, rest)) && letter(subject) && !letter(last);
-    let owners = match acts || moves || valued {
+    // "B is the body frame, which is fixed in the body": what B is said to be is B.
+    let whole = clause(first, lexicon).is_some_and(|(_, verb, said)| {
+        let is = matches!(verb, [verb] if COPULAS.contains(&verb.lower.as_str()));
+        let article = last
+            .first()
+            .is_some_and(|t| ARTICLES.contains(&t.lower.as_str()));
+        is && article && said.len() == last.len()
+    });
+    let owners = match acts || moves || valued || whole {
         true => [subject, last],
         false => [last, subject],
     };
@@ -320,7 +328,19 @@ fn fuller(
     let word = rest.first()?;
     let at = first.iter().rposition(|t| t.lower == word.lower)?;
     let said = first.get(subject.len()..at)?;
-    Some([&second[..end], said, rest].concat())
+    // "with the angular velocity `$p$`, the rotor with `$q$`": the noun of the first letter is that of the second.
+    let noun = match (&first[at + 1..], &rest[1..]) {
+        ([noun @ .., own], [other]) if is_formula(own) && is_formula(other) => noun,
+        _ => &[],
+    };
+    let noun = match noun
+        .first()
+        .is_some_and(|t| ARTICLES.contains(&t.lower.as_str()))
+    {
+        true if !noun.iter().any(is_formula) => noun,
+        _ => &[],
+    };
+    Some([&second[..end], said, &rest[..1], noun, &rest[1..]].concat())
 }
 
 /// "the mass, and `$J$` the inertia tensor, of the hub": what hangs on both stands at the end.

@@ -13,6 +13,9 @@ const ON_PLANES: [&str; 3] = ["roll", "slide", "touch"];
 /// Says of each floor on which something rolls or slides, and of what is called horizontal there, that it is a level plane,
 /// where no sentence says what it is.
 pub(crate) fn lay_floors(declarations: &mut Vec<Declaration>) {
+    LEVEL
+        .iter()
+        .for_each(|floor| level_plane(declarations, floor));
     let said = declarations.iter().filter_map(|d| match &d.statement {
         Statement::Is { subjects, what } if what.head == "horizontal" => name(subjects.first()?),
         _ => None,
@@ -47,6 +50,33 @@ pub(crate) fn lay_floors(declarations: &mut Vec<Declaration>) {
         let told = declarations.get(at).cloned();
         let said = Statement::one_is(Term::Name(floor.to_owned()), plane);
         declarations.extend(told.map(|told| told.saying(said)));
+    }
+}
+
+/// "The table is a plane fixed in N": a level one, where no sentence says how it lies.
+fn level_plane(declarations: &mut [Declaration], floor: &str) {
+    let tilts = |d: &Declaration| match &d.statement {
+        Statement::Is { what, .. } => {
+            let lie = matches!(what.head, "inclination" | "angle");
+            lie && what.slots.iter().any(|(_, term)| is(term, floor))
+        }
+        Statement::Does { subjects, verb, .. } => {
+            *verb == "incline" && subjects.iter().any(|subject| is(subject, floor))
+        }
+        _ => false,
+    };
+    if declarations.iter().any(tilts) {
+        return;
+    }
+    for declaration in declarations {
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && matches!(subjects.as_slice(), [subject] if is(subject, floor))
+            && what.head == "plane"
+            && what.adjectives.is_empty()
+            && what.slots.iter().all(|(slot, _)| *slot == Slot::FixedIn)
+        {
+            what.adjectives.push("horizontal");
+        }
     }
 }
 

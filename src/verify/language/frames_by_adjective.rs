@@ -1,5 +1,6 @@
 //! Frames that have no name but their adjective: "the moving frame", "the body axes".
 
+use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,6 +58,110 @@ fn is_of_axes_that_meet(statement: &Statement) -> bool {
         }
         None => false,
     }
+}
+
+/// "B is a body-fixed frame": it is fixed in the body, where one is spoken of, or in the only one that a sentence tells of.
+pub(super) fn fix_body_frames(declarations: &mut [Declaration]) {
+    let fixed = |d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if what.slot(Slot::FixedIn).is_some() => subjects.clone(),
+        _ => vec![],
+    };
+    let fixed: Vec<Term> = declarations.iter().flat_map(fixed).collect();
+    let Some(body) = only_body(declarations) else {
+        return;
+    };
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let anew = !subjects.iter().any(|frame| fixed.contains(frame));
+        if what.head == "frame" && what.is("body-fixed") && what.slots.is_empty() && anew {
+            what.adjectives.retain(|said| *said != "body-fixed");
+            what.slots = vec![(Slot::FixedIn, body.clone())];
+        }
+    }
+}
+
+/// "A moves with the ring", where something turns relative to A: a frame that is fixed in the ring.
+pub(super) fn fix_carried_frames(declarations: &mut [Declaration]) {
+    let bases = declarations
+        .iter()
+        .flat_map(|d| match d.statement.does("turn") {
+            Some((turning, slots)) => {
+                let base = slots.iter().filter(|(slot, _)| *slot == Slot::RelativeTo);
+                let mut all: Vec<Term> = base.map(|(_, frame)| frame.clone()).collect();
+                all.extend(turning.iter().cloned());
+                all
+            }
+            None => vec![],
+        });
+    let turning: Vec<Term> = bases.collect();
+    let told = declarations.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, .. } => subjects.clone(),
+        _ => vec![],
+    });
+    let told: Vec<Term> = told.collect();
+    for declaration in declarations {
+        let carried = match declaration.statement.does("move") {
+            Some(([frame @ Term::Name(own)], [(Slot::With, body @ Term::Name(thing))])) => {
+                let named = own.starts_with(char::is_uppercase) && !told.contains(frame);
+                let carries = thing.starts_with(char::is_lowercase) && turning.contains(frame);
+                (named && carries).then(|| (frame.clone(), body.clone()))
+            }
+            _ => None,
+        };
+        if let Some((frame, body)) = carried {
+            let what = NounPhrase::new("frame", vec![(Slot::FixedIn, body)]);
+            declaration.statement = Statement::one_is(frame, what);
+        }
+    }
+}
+
+/// The only body of which sentences speak: "the body", or the only thing that is said to be one.
+fn only_body(declarations: &[Declaration]) -> Option<Term> {
+    let said = declarations.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if is_body(what.head) => subjects.as_slice(),
+        _ => &[],
+    });
+    let mut bodies: BTreeSet<String> = said.filter_map(name).collect();
+    let speaks = |d: &Declaration| d.statement.terms().into_iter().any(is_the_body);
+    match (bodies.len(), declarations.iter().any(speaks)) {
+        (0, true) => Some(Term::Name("body".to_owned())),
+        (1, false) => {
+            let only = bodies.pop_first()?;
+            let other = |d: &Declaration| {
+                let mut terms = d.statement.terms().into_iter();
+                terms.any(|term| names_another(term, &only))
+            };
+            let alone = !declarations.iter().any(other);
+            alone.then(|| Term::Name(only.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// Whether a term has the name of another thing: "the wheel".
+fn names_another(term: &Term, only: &str) -> bool {
+    match term {
+        Term::Name(name) => {
+            name.chars().count() > 1 && name.starts_with(char::is_lowercase) && name != only
+        }
+        Term::Member { .. } => true,
+        Term::Phrase(phrase) => phrase
+            .slots
+            .iter()
+            .any(|(_, term)| names_another(term, only)),
+        _ => false,
+    }
+}
+
+/// "the body"
+fn is_the_body(term: &Term) -> bool {
+    let inner = match term {
+        Term::Phrase(phrase) => phrase.slots.iter().any(|(_, term)| is_the_body(term)),
+        _ => false,
+    };
+    inner || name(term).is_some_and(|name| name == "body")
 }
 
 /// "The frame of the body", where nothing is called the body, is the body-fixed one.

@@ -200,9 +200,24 @@ impl Reader<'_> {
         let article = next.is_some_and(|next| {
             next.kind == Kind::Word && matches!(next.text.as_str(), "a" | "an")
         });
-        named && self.kind() == Some(Kind::Comma) && article
+        named && self.kind() == Some(Kind::Comma) && article && !self.lists_indefinite()
+    }
+
+    /// "a rotor, a gimbal and a case": what was named last has no name of its own, and the list goes on to its end.
+    fn lists_indefinite(&self) -> bool {
+        let indefinite = |t: &Token| t.kind == Kind::Word && matches!(t.text.as_str(), "a" | "an");
+        let plain = |t: &Token| t.kind == Kind::Word && t.lower == t.text;
+        let before = self.tokens[..self.at].iter().rev().take(LONGEST_LISTED);
+        let begun = before.take_while(|t| plain(t)).any(indefinite);
+        let rest = self.tokens[self.at..].iter();
+        let rest: Vec<&Token> = rest.take_while(|t| t.kind != Kind::Semicolon).collect();
+        let closed = |pair: &[&Token]| pair[0].lower == "and" && indefinite(pair[1]);
+        begun && rest.windows(2).any(closed)
     }
 }
+
+/// A thing in a list of such takes no more words, with its article.
+const LONGEST_LISTED: usize = 4;
 
 /// Whether some words with "and" and commas between them are one list. Behind ", and" a new one begins, unless the members
 /// before it are parted by commas as well: "x, y, and z".

@@ -1,8 +1,9 @@
 //! What kind of thing a name is, as other sentences show it: "the mass centre G of the body" says what G is.
 
 use super::bodies::singular;
-use super::heads::POSITION;
+use super::heads::{POSITION, UNIT_VECTOR};
 use super::lexicon::{Class, Lexicon};
+use super::single_moments::axes_in;
 use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
 use super::terms::say_besides;
 use super::traits::Trait;
@@ -143,9 +144,17 @@ fn has_hat(term: &Term) -> bool {
     }
 }
 
-/// "the vector from O to P": the position of P from O.
+/// "the vector from O to P": the position of P from O. An axis that points from O to P has the length one.
 pub(crate) fn name_positions(declarations: &mut [Declaration]) {
+    let axes: Vec<Term> = declarations.iter().flat_map(axes_in).collect();
     for declaration in declarations {
+        if let Statement::Is { subjects, what } = &mut declaration.statement
+            && what.head == "vector"
+            && what.slot(Slot::From).is_some()
+            && subjects.iter().any(|subject| axes.contains(subject))
+        {
+            what.head = UNIT_VECTOR;
+        }
         if let Statement::Is { subjects, what } = &mut declaration.statement
             && what.head == "vector"
             && !subjects.iter().any(has_hat)

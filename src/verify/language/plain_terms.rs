@@ -24,8 +24,9 @@ use super::family_loads::tell_loads_of_families;
 use super::fixed_axes::name_fixed_axes;
 use super::flat_bodies::turn_in_own_planes;
 use super::floors::lay_floors;
-use super::frames_by_adjective::tell_body_frames;
+use super::frames_by_adjective::{fix_body_frames, fix_carried_frames, tell_body_frames};
 use super::frames_shown::show_frames;
+use super::gathered_sizes::gather_sizes;
 use super::generalised_momenta::tell_generalised_momenta;
 use super::gyration::tell_gyration;
 use super::hinges::{name_ends, tell_hinges};
@@ -84,6 +85,7 @@ use super::same::{
 };
 use super::senses::tell_senses;
 use super::sides::tell_sides;
+use super::single_moments::tell_single_moments;
 use super::sizes_aside::give_sizes_aside;
 use super::slopes::lay_slopes;
 use super::spins::turn_about_axes_of_symmetry;
@@ -101,6 +103,7 @@ use super::turns::{tell_matrices, tell_turning, turn_by_aircraft_angles, turn_in
 use super::unknown_bodies::leave_unknown_bodies;
 use super::unwound::unwind_strings;
 use super::unwound_beside::unwind_beside_axes;
+use super::upright_normals::tell_upright_normals;
 use super::weights::tell_gravity;
 use super::wholes_by_plurals::join_uncounted;
 use crate::notation::Macros;
@@ -143,6 +146,8 @@ fn name_things(
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
     give_sizes_aside(&mut declarations);
+    fix_carried_frames(&mut declarations);
+    fix_body_frames(&mut declarations);
     tell_body_frames(&mut declarations);
     tell_letters_at_instants(&mut declarations);
     take_along_axes(&mut declarations);
@@ -167,6 +172,9 @@ fn name_things(
     say_of_things(&mut declarations);
     hang_on_quantities(&mut declarations);
     tell_disturbed(&mut declarations);
+    tell_single_moments(&mut declarations);
+    gather_sizes(&mut declarations);
+    tell_upright_normals(&mut declarations);
     tell_normals(&mut declarations);
     end_the_same(&mut declarations);
     tell_absolute_motions(&mut declarations);

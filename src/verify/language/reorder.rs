@@ -101,8 +101,16 @@ pub(crate) fn possessives(tokens: &[Token], lexicon: &Lexicon) -> Vec<Token> {
         }) else {
             continue;
         };
-        let article = at > 0 && ARTICLES.contains(&tokens[at - 1].lower.as_str());
-        let start = at - usize::from(article);
+        // "the outer gimbal's": an adjective may stand between.
+        let named_by = |back: &usize| {
+            let first = at.checked_sub(*back).map(|start| &tokens[start]);
+            let plain = |t: &Token| t.kind == Kind::Word && t.lower == t.text;
+            let own = first.is_some_and(|t| ARTICLES.contains(&t.lower.as_str()));
+            own && tokens[at - back + 1..at].iter().all(plain)
+        };
+        let back = (1..=2).find(named_by);
+        let article = back.is_some();
+        let start = at - back.unwrap_or_default();
         let named = tokens.get(at + 1 + found).is_some_and(|t| {
             t.kind == Kind::Word && t.text.chars().all(char::is_uppercase)
                 || t.kind == Kind::Formula

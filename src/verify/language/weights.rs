@@ -33,6 +33,7 @@ fn is_zero(term: &Term) -> bool {
 /// "The weight `$mg$` and the force at O are the only loads": where m is a mass, g is the acceleration of gravity.
 pub(crate) fn tell_gravity(declarations: &mut Vec<Declaration>) {
     tell_zeros(declarations);
+    tell_products(declarations);
     let masses: Vec<String> = declarations.iter().flat_map(masses_in).collect();
     let mut found: Option<Declaration> = None;
     for declaration in declarations.iter_mut() {
@@ -64,6 +65,38 @@ pub(crate) fn tell_gravity(declarations: &mut Vec<Declaration>) {
     let told = |d: &Declaration| matches!(&d.statement, Statement::Is { what, .. } if what.head == GRAVITY);
     if !declarations.iter().any(told) {
         declarations.extend(found);
+    }
+}
+
+/// "`$mg$` is the weight of the rod", where the rod has the mass m and g is the acceleration of gravity: it says no more.
+/// Where no sentence tells g it is that acceleration.
+fn tell_products(declarations: &mut [Declaration]) {
+    let telling: Vec<(String, Statement)> = declarations
+        .iter()
+        .flat_map(|d| masses_in(d).into_iter().map(|m| (m, d.statement.clone())))
+        .collect();
+    for declaration in declarations {
+        let Statement::Is { subjects, what } = &mut declaration.statement else {
+            continue;
+        };
+        let ([Term::Formula(product)], WEIGHT, [(Slot::Of, body)]) =
+            (subjects.as_slice(), what.head, what.slots.as_slice())
+        else {
+            continue;
+        };
+        let Some((mass, gravity)) = mass_and_gravity(product) else {
+            continue;
+        };
+        let of_body = |said: &Statement| match said {
+            Statement::Is { subjects, what } => {
+                subjects.contains(body) || what.head == MASS && what.slot(Slot::Of) == Some(body)
+            }
+            _ => false,
+        };
+        if telling.iter().any(|(m, said)| *m == mass && of_body(said)) {
+            declaration.statement =
+                Statement::one_is(Term::Formula(gravity), NounPhrase::new(GRAVITY, vec![]));
+        }
     }
 }
 

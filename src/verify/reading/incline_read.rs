@@ -54,7 +54,11 @@ impl Builder<'_> {
         let falls = self.axis_that_is(DOWNHILL, &[0]).map(|axis| (axis, true));
         let falls = falls.or_else(|| Some((self.axis_that_is(UPHILL, &[0])?, false)));
         let down = falls.map(|(axis, _)| axis);
-        let free: Vec<usize> = (1..3).filter(|axis| Some(*axis) != down).collect();
+        // What turns about the normal of a plane does so about the third axis, as about a vertical.
+        let free: Vec<usize> = match down.is_none() && self.turns_about_normal() {
+            true => vec![2],
+            false => (1..3).filter(|axis| Some(*axis) != down).collect(),
+        };
         let normal = self.axis_that_is(NORMAL, &free);
         let normal = normal.filter(|normal| Some(*normal) != down);
         let out = !self.is_downward_normal();
@@ -88,6 +92,17 @@ impl Builder<'_> {
                 points_down: !out,
             });
         }
+    }
+
+    /// "H turns relative to N about `$n$`", where `$n$` is the normal of a plane.
+    fn turns_about_normal(&self) -> bool {
+        let mut all = self.declarations.iter();
+        let normal = all.find_map(|d| self.subject_that_is(NORMAL, &d.statement));
+        let about = |d: &Declaration| {
+            let turned = d.statement.does("turn");
+            turned.is_some_and(|(_, slots)| slot(slots, Slot::About) == normal.as_ref())
+        };
+        normal.is_some() && self.declarations.iter().any(about)
     }
 
     /// "z is the downward normal of the floor."

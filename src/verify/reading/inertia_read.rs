@@ -96,7 +96,7 @@ impl Builder<'_> {
                     None => return None,
                 }
             }
-            None if phrase.is("axial") => self.axis_of_body(body)?,
+            _ if phrase.is("axial") => self.axis_of_body(body)?,
             None if self.has_pivot(body) => return None,
             _ if self.turns_in_plane(body) => {
                 let frame = self.reading.system.bodies[body].frame?;

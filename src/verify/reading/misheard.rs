@@ -95,7 +95,9 @@ fn is_misheard(statement: &Statement) -> bool {
         }
         Statement::Does { verb, slots, .. } => is_done_otherwise(verb, slots),
         Statement::Is { subjects, what } => {
-            statement.tells_sense() || is_told_otherwise(subjects, what)
+            // What would be fixed in itself is another thing.
+            let itself = what.all(Slot::FixedIn).any(|of| subjects.contains(of));
+            itself || statement.tells_sense() || is_told_otherwise(subjects, what)
         }
         Statement::Premise(what) => {
             // Where or when alone nothing else acts is not worked with.
@@ -113,7 +115,12 @@ fn is_misheard(statement: &Statement) -> bool {
                     | Sign::Label { .. }
                     | Sign::Custom(UNDERBRACE | WAY_OF_SETTING)
             );
-            *meaning == NotationMeaning::Fixed(NOTHING) && !plain
+            // One label has no components on two frames.
+            let on_several = match meaning {
+                NotationMeaning::Noun(noun) => noun.all(Slot::On).count() > 1,
+                _ => false,
+            };
+            *meaning == NotationMeaning::Fixed(NOTHING) && !plain || on_several
         }
         _ => false,
     }

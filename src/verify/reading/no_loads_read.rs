@@ -1,7 +1,7 @@
 //! Loads of which a sentence says that none act.
 
 use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
-use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::loads::{Lasting, Load};
 use crate::verify::model::system::{BodyId, PointId, Vector};
 use crate::verify::reading::builder::Builder;
@@ -28,6 +28,13 @@ impl Builder<'_> {
         premise: &NounPhrase,
         declaration: &Declaration,
     ) -> Option<()> {
+        // Beside a list of loads it says that no couple is among them, and not what their moment about a point is.
+        let placed = [Slot::About, Slot::At, Slot::Along];
+        let placed = placed.iter().any(|slot| premise.slot(*slot).is_some());
+        let couple = declaration.text.contains("couple");
+        if !placed && (couple || self.are_loads_listed()) {
+            return None;
+        }
         let of = self.whole_of(premise)?;
         let about = self.about(premise, &of)?;
         let body = self.body_of(premise)?;
@@ -35,6 +42,14 @@ impl Builder<'_> {
         let others = self.exceptions(premise, declaration)?;
         let others = self.reading.system.moment_of_loads(&others, about);
         self.hold_none(&(moment - others), premise, declaration)
+    }
+
+    /// Whether a sentence says which loads alone act.
+    fn are_loads_listed(&self) -> bool {
+        self.declarations.iter().any(|d| match &d.statement {
+            Statement::Premise(premise) => premise.is("only"),
+            _ => false,
+        })
     }
 
     /// "except the weight": the loads that may act.

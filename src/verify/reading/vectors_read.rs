@@ -316,6 +316,10 @@ impl Builder<'_> {
             [Term::Formula(indexed)] => self.each_of_axes(indexed),
             _ => formulas(subjects).take(3).cloned().collect(),
         };
+        // Of fewer letters it is not known to which axes they belong.
+        if told.len() < 3 {
+            return self.say_unused(declaration);
+        }
         for (axis, formula) in told.iter().enumerate() {
             let spelled = node_of(formula).map(spelled).unwrap_or_default();
             let own = entry_of(tensor, axis, axis, on);
