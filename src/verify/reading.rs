@@ -120,6 +120,7 @@ pub(crate) mod turns_read;
 mod type_read;
 mod unbound;
 pub(crate) mod unused;
+pub(crate) mod unused_letters;
 pub(crate) mod unused_read;
 mod values_told;
 pub(crate) mod vectors_read;

@@ -1,9 +1,9 @@
 //! Sentences of which nothing was made, and what they keep from being denied.
 
-use crate::notation::ast::{Kind, Node};
-use crate::verify::language::heads::{CONSTANT, FORCE, KEEPS_DIRECTION, MASS, MOMENT};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::language::{is_bodily, is_body, is_quantity, only_names};
+use crate::notation::ast::Node;
+use crate::verify::language::heads::{CONSTANT, FORCE, KEEPS_DIRECTION, MOMENT};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::{is_body, is_quantity};
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::bodies_read::WHOLES;
 use crate::verify::reading::builder::{Builder, MOST_TERMS, place_in};
@@ -14,8 +14,10 @@ use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::parallels_read::are_moments;
 use crate::verify::reading::touched::{tells_anew, touched_by};
 use crate::verify::reading::unused::{Unused, letters_of_subjects};
-use crate::verify::term::letters::{labelled_letter, letter_names, spelled};
-use std::collections::BTreeSet;
+use crate::verify::reading::unused_letters::{
+    in_formula, is_small, letters_in_node, letters_named_by,
+};
+use crate::verify::term::letters::{letter_names, spelled};
 
 /// Verbs that build the system or name letters.
 const HEARD: [&str; 11] = [
@@ -263,7 +265,10 @@ impl Builder<'_> {
     pub(super) fn say_unused(&mut self, declaration: &Declaration) {
         let sentence = declaration.sentence().to_owned();
         let reach = reach_of(&declaration.extent);
-        let known = |u: &Unused| u.sentence == sentence && u.reach == reach;
+        // A sentence that says several things may tell of a letter by each.
+        let about = letters_of_subjects(&declaration.statement);
+        let known =
+            |u: &Unused| u.sentence == sentence && u.reach == reach && about.is_subset(&u.about);
         if !self.reading.unused.iter().any(known) {
             let named = letters_named_by(&declaration.statement);
             let understood = !declaration.is_unread();
@@ -287,7 +292,7 @@ impl Builder<'_> {
                 wants: None,
                 reach,
                 letters,
-                about: letters_of_subjects(&declaration.statement),
+                about,
                 connected: None,
                 touches: touched_by(&declaration.statement, self.declarations),
             });
@@ -342,7 +347,7 @@ impl Builder<'_> {
 }
 
 /// Whether a noun means what acts on bodies.
-fn is_load(what: &NounPhrase) -> bool {
+pub(super) fn is_load(what: &NounPhrase) -> bool {
     names_load(what) || matches!(what.head, FORCE | MOMENT)
 }
 
@@ -363,56 +368,4 @@ fn speaks_of(statement: &Statement, letters: &[&Node]) -> bool {
             .iter()
             .any(|letter| spelled(letter) == spelled(formula))
     })
-}
-
-/// "`$\lambda$` is small."
-fn is_small(statement: &Statement) -> bool {
-    matches!(statement, Statement::Is { what, .. } if what.head == "small" && what.slots.is_empty())
-}
-
-/// The letters of a sentence that says what quantities letters are, and no more.
-fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
-    let formulas: Vec<&Formula> = match statement {
-        // What bodies have says of several that they are alike, and a load acts whatever its letter is.
-        Statement::Is { subjects, what }
-            if only_names(what.head)
-                && !is_bodily(what.head)
-                && what.head != MASS
-                && !acts_on_a_body(what)
-                || is_small(statement) =>
-        {
-            subjects.iter().map(in_formula).collect::<Option<_>>()?
-        }
-        Statement::Unread { letters, .. } if !letters.is_empty() => letters.iter().collect(),
-        _ => return None,
-    };
-    formulas.into_iter().map(node_of).collect()
-}
-
-/// Whether a noun is that of a load on a thing.
-fn acts_on_a_body(what: &NounPhrase) -> bool {
-    is_load(what)
-        && [Slot::Of, Slot::Upon]
-            .iter()
-            .any(|slot| what.slot(*slot).is_some())
-}
-
-/// The letters of a formula, those with labels as they are written.
-pub(super) fn letters_of(formula: &Formula) -> BTreeSet<String> {
-    nodes_of(formula).iter().flat_map(letters_in_node).collect()
-}
-
-fn letters_in_node(node: &Node) -> BTreeSet<String> {
-    match labelled_letter(node) {
-        Some(letter) => BTreeSet::from([letter]),
-        None if matches!(node.kind, Kind::Symbol(_)) => letter_names(node),
-        None => node.children().flat_map(letters_in_node).collect(),
-    }
-}
-
-fn in_formula(subject: &Term) -> Option<&Formula> {
-    match subject {
-        Term::Formula(formula) => Some(formula),
-        _ => None,
-    }
 }
