@@ -148,6 +148,7 @@ mod reader;
 mod remaining_loads;
 mod reminders;
 mod reorder;
+mod respective;
 mod rewrite;
 mod rewrite_rules;
 mod rigid_wholes;

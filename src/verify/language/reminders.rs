@@ -39,6 +39,12 @@ pub(super) fn reminded_at_start(tokens: &[Token], lexicon: &Lexicon) -> Option<V
             .checked_sub(1)
             .filter(|&i| rest[i].kind == Kind::Formula);
         let own = verb.or(letter.filter(|&i| i > 1))?;
+        let kept = said
+            .iter()
+            .rposition(|t| !is_joint(t))
+            .map_or(0, |at| at + 1);
+        said.truncate(kept);
+        said.push(put_in(Kind::Semicolon, "", &tokens[at]));
         said.extend(spoken.again(&rest[..own], lexicon)?);
         if verb.is_none() {
             said.push(put_in(Kind::Word, "is", &rest[own]));
