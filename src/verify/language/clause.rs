@@ -1,6 +1,7 @@
 //! Whole sentences.
 
 use super::gaps::alike_at_end;
+use super::heads::MASS_CENTRE;
 use super::in_turn::does_in_turn;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
@@ -9,7 +10,7 @@ use super::reader::{COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
-use super::{is_quantity, is_thing};
+use super::{is_body, is_quantity, is_thing};
 
 /// Space has no more dimensions than this: matrices grow with their square.
 const MOST_DIMENSIONS: usize = 8;
@@ -196,17 +197,27 @@ impl<'a> Reader<'a> {
                 self.at = start;
                 break;
             }
-            let more = self.predicate(subjects, formulas.map(<[Formula]>::to_vec))?;
-            let (last, first) = (statements.last(), more.first());
+            let article_at = self.at;
+            let owner = statements.last().and_then(owner_of_place);
+            let said = self.predicate(subjects, formulas.map(<[Formula]>::to_vec))?;
+            let mut nouns = said.iter().filter_map(Statement::noun_phrase);
+            let owner = owner.filter(|_| nouns.any(|what| is_body(what.head)));
+            let (last, first) = (statements.last(), said.first());
             // "`$r$` is the position of P, a point fixed in B": P is that point, and no letter is both.
-            if formulas.is_some()
+            let of_another = formulas.is_some()
                 && last.is_some_and(says_quantity)
-                && first.is_some_and(says_thing)
-            {
-                self.at = start;
-                break;
-            }
-            statements.extend(more);
+                && first.is_some_and(says_thing);
+            statements.extend(match owner {
+                Some(owner) => {
+                    self.at = article_at;
+                    self.predicate(&[owner], None)?
+                }
+                None if of_another => {
+                    self.at = start;
+                    break;
+                }
+                None => said,
+            });
         }
         Ok(())
     }
@@ -378,6 +389,17 @@ impl<'a> Reader<'a> {
             return Ok(said);
         }
         Ok(does_in_turn(subjects, verb.entry.name, &slots))
+    }
+}
+
+/// "G is the mass centre of the aircraft, a rigid body": a point and a quantity are no body, what they are of is one.
+fn owner_of_place(statement: &Statement) -> Option<Term> {
+    match statement {
+        Statement::Is { what, .. } if what.head == MASS_CENTRE || is_quantity(what.head) => {
+            let of = what.slot(Slot::Of)?;
+            (!matches!(of, Term::Formula(_))).then(|| of.clone())
+        }
+        _ => None,
     }
 }
 

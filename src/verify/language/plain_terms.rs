@@ -43,6 +43,7 @@ use super::kinds::{
 use super::laid_by_angles::lay_by_angles;
 use super::laid_rods::fix_ends;
 use super::letters_at_instants::tell_letters_at_instants;
+use super::letters_by_nouns::say_of_letters;
 use super::level_axes::{name_level_axes, tell_axes_that_point_down};
 use super::lexicon::Lexicon;
 use super::listed_between::{list_next_loads, name_by_agents};
@@ -145,6 +146,7 @@ fn name_things(
     macros: &Macros,
     lexicon: &Lexicon,
 ) -> Vec<Declaration> {
+    say_of_letters(&mut declarations);
     give_sizes_aside(&mut declarations);
     fix_carried_frames(&mut declarations);
     fix_body_frames(&mut declarations);

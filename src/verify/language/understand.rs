@@ -8,10 +8,12 @@ use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
 use super::load_clauses::loads_apart;
 use super::placeholders::with_letter_inside;
+use super::reminders::reminded_at_start;
 use super::reorder::{
     axes, compounds, described_first, indexed_by_any, possessives, tell_ends_of_lines, told_beside,
     without_brackets, without_ranges,
 };
+use super::respective::each_with_its_own;
 use super::rewrite::{plainly, said_first};
 use super::set_off::{front_behind_subject, fronted, without_commas};
 use super::statement::Misread;
@@ -87,6 +89,9 @@ fn understood_whole(
 ) -> Result<Vec<Said>, Misread> {
     let said = said_first(tokens).or_else(|| with_letter_inside(tokens));
     let tokens = said.as_deref().unwrap_or(tokens);
+    let reminded =
+        reminded_at_start(tokens, lexicon).or_else(|| each_with_its_own(tokens, lexicon));
+    let tokens = reminded.as_deref().unwrap_or(tokens);
     let told = loads_apart(tokens, lexicon).or_else(|| turns_named(tokens));
     let tokens = told.as_deref().unwrap_or(tokens);
     let first = match strictly(tokens) {

@@ -11,6 +11,7 @@ use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::names::{UNIT_VECTOR, index_letter, node_of, told};
 use crate::verify::reading::no_loads_read::is_exception;
+use crate::verify::reading::relations_read::is_tensor;
 use crate::verify::term::indices::{LABELS, with_number};
 use crate::verify::term::letters::{Meaning, spelled};
 use crate::verify::term::quantity::Quantity;
@@ -108,9 +109,13 @@ impl Builder<'_> {
             return self.say_unused(declaration);
         }
         if let (None, [Term::Formula(formula)]) = (single, subjects)
-            && node_of(formula).is_some_and(|node| matches!(node.kind, Kind::Symbol(_)))
+            && node_of(formula).is_some_and(is_letter)
         {
             return self.read_array(formula, of, frame, declaration);
+        }
+        // A tensor has more entries than three.
+        if is_tensor(&of) {
+            return self.say_unused(declaration);
         }
         let component = |place: usize| Quantity::Component {
             of: of.clone().boxed(),
@@ -373,4 +378,13 @@ fn without_inner_directions(what: &NounPhrase) -> NounPhrase {
     }
     outer.slots.extend(moved);
     outer
+}
+
+/// A letter, also in brackets: "`[J]`".
+fn is_letter(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Symbol(_) => true,
+        Kind::Group(_, inner) => is_letter(inner),
+        _ => false,
+    }
 }

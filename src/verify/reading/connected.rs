@@ -5,7 +5,7 @@ use crate::verify::language::statement::{Declaration, Statement, Term};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::names::{name_of, node_of};
 use crate::verify::reading::unused::Unused;
-use crate::verify::reading::unused_read::letters_of;
+use crate::verify::reading::unused_letters::letters_of;
 use crate::verify::term::letters::spelled;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;

@@ -380,7 +380,7 @@ pub(super) fn labelled_entry(formula: &Formula) -> Option<[usize; 2]> {
 }
 
 /// Whether the products of a tensor have a convention.
-fn is_tensor(quantity: &Quantity) -> bool {
+pub(super) fn is_tensor(quantity: &Quantity) -> bool {
     match quantity {
         Quantity::Inertia { .. } => true,
         Quantity::On(of, _) => is_tensor(of),

@@ -2,11 +2,11 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::verify::language::heads::MASS;
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement};
+use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::language::{is_bodily, only_names};
 use crate::verify::reading::builder::Builder;
-use crate::verify::reading::names::node_of;
-use crate::verify::reading::unused_read::{in_formula, is_load};
+use crate::verify::reading::names::{node_of, nodes_of};
+use crate::verify::reading::unused_read::is_load;
 use crate::verify::term::letters::{labelled_letter, letter_names};
 use std::collections::BTreeSet;
 
@@ -49,7 +49,15 @@ pub(super) fn letters_named_by(statement: &Statement) -> Option<Vec<&Node>> {
         Statement::Unread { letters, .. } if !letters.is_empty() => letters.iter().collect(),
         _ => return None,
     };
-    formulas.into_iter().map(node_of).collect()
+    // What is made of several letters, or of none, is told a value by it: that is more than what a letter is.
+    let named = |formula: &&Formula| {
+        let plain = node_of(formula).is_none_or(|node| letters_in_node(node).len() == 1);
+        plain || matches!(statement, Statement::Unread { .. })
+    };
+    match formulas.iter().all(named) {
+        true => formulas.into_iter().map(node_of).collect(),
+        false => None,
+    }
 }
 
 /// Whether a noun is that of a load on a thing.
@@ -60,10 +68,22 @@ fn acts_on_a_body(what: &NounPhrase) -> bool {
             .any(|slot| what.slot(*slot).is_some())
 }
 
+/// The letters of a formula, those with labels as they are written.
+pub(super) fn letters_of(formula: &Formula) -> BTreeSet<String> {
+    nodes_of(formula).iter().flat_map(letters_in_node).collect()
+}
+
 pub(super) fn letters_in_node(node: &Node) -> BTreeSet<String> {
     match labelled_letter(node) {
         Some(letter) => BTreeSet::from([letter]),
         None if matches!(node.kind, Kind::Symbol(_)) => letter_names(node),
         None => node.children().flat_map(letters_in_node).collect(),
+    }
+}
+
+pub(super) fn in_formula(subject: &Term) -> Option<&Formula> {
+    match subject {
+        Term::Formula(formula) => Some(formula),
+        _ => None,
     }
 }

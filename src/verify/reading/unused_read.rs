@@ -2,7 +2,7 @@
 
 use crate::notation::ast::Node;
 use crate::verify::language::heads::{CONSTANT, FORCE, KEEPS_DIRECTION, MOMENT};
-use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
+use crate::verify::language::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use crate::verify::language::{is_body, is_quantity};
 use crate::verify::model::system::BodyId;
 use crate::verify::reading::bodies_read::WHOLES;
@@ -14,9 +14,8 @@ use crate::verify::reading::names::{node_of, nodes_of, reach_of};
 use crate::verify::reading::parallels_read::are_moments;
 use crate::verify::reading::touched::{tells_anew, touched_by};
 use crate::verify::reading::unused::{Unused, letters_of_subjects};
-use crate::verify::reading::unused_letters::{is_small, letters_in_node, letters_named_by};
+use crate::verify::reading::unused_letters::{in_formula, is_small, letters_named_by};
 use crate::verify::term::letters::spelled;
-use std::collections::BTreeSet;
 
 /// Verbs that build the system or name letters.
 const HEARD: [&str; 11] = [
@@ -358,16 +357,4 @@ fn speaks_of(statement: &Statement, letters: &[&Node]) -> bool {
             .iter()
             .any(|letter| spelled(letter) == spelled(formula))
     })
-}
-
-/// The letters of a formula, those with labels as they are written.
-pub(super) fn letters_of(formula: &Formula) -> BTreeSet<String> {
-    nodes_of(formula).iter().flat_map(letters_in_node).collect()
-}
-
-pub(super) fn in_formula(subject: &Term) -> Option<&Formula> {
-    match subject {
-        Term::Formula(formula) => Some(formula),
-        _ => None,
-    }
 }
