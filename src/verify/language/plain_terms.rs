@@ -86,6 +86,7 @@ use super::senses::tell_senses;
 use super::sides::tell_sides;
 use super::sizes_aside::give_sizes_aside;
 use super::slopes::lay_slopes;
+use super::spin_axes::name_spin_axes;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
 use super::straight_ways::move_on_lines;
@@ -207,6 +208,7 @@ fn count_members(declarations: &mut Vec<Declaration>) {
     place_elements(declarations);
     tell_places_of_particles(declarations);
     number_counted(declarations);
+    name_spin_axes(declarations);
     fix_particles(declarations);
     lay_in_turn(declarations);
 }
