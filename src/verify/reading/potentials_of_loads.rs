@@ -1,7 +1,7 @@
 //! Potential energies that are said to be those of loads: "`$V$` is the potential energy of the weight and of the spring".
 
-use crate::algebra::Fraction;
-use crate::verify::language::heads::{FORCE, MOMENT, WEIGHT};
+use crate::algebra::{Fraction, Variable};
+use crate::verify::language::heads::{CONSTANT, FORCE, MOMENT, WEIGHT};
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::verify::model::atoms::{fraction, whole};
 use crate::verify::model::system::{BodyId, Turn, Vector};
@@ -84,15 +84,16 @@ impl<'a> Builder<'a> {
         let name = Term::Name(self.reading.system.bodies[body].name.clone());
         let frame = self.reading.system.bodies[body].frame;
         let frame = frame.or_else(|| self.frame(&name))?;
-        let turned = &self.reading.system.frames[frame];
-        let (Turn::Angle(number, angle), true) = (
-            &turned.turn,
-            turned.parent == Some(self.reading.system.ground),
-        ) else {
+        let turned = self.reading.system.frames[frame].clone();
+        if turned.parent != Some(self.reading.system.ground) {
             return None;
+        }
+        let (axis, angle) = match turned.turn {
+            Turn::Angle(number, angle) => (self.system().axis(frame, number), angle),
+            Turn::About(axis, angle) => (*axis, angle),
+            _ => return None,
         };
-        let (number, angle) = (*number, angle.as_variable()?);
-        let axis = self.system().axis(frame, number);
+        let angle = angle.as_variable()?;
         let value = self.formula_value(moment, declaration)?;
         let moment: Vector = match along {
             Some(along) => {
@@ -106,12 +107,31 @@ impl<'a> Builder<'a> {
             return None;
         }
         let slope = self.system().partial(&size, angle);
-        let rate = self.system().atoms.derivative(&size);
-        let turning = fraction(angle);
-        let own = slope.clone() * self.system().atoms.derivative(&turning);
         let linear = !slope.is_zero() && !slope.variables().contains(&angle);
-        let spread = self.system().expanded(&(rate - own), &[]);
-        (linear && spread.is_zero()).then(|| -(size.clone() * size) / (whole(2) * slope))
+        let others = size.variables().into_iter().filter(|v| *v != angle);
+        let others: Vec<Variable> = others.collect();
+        let still = others.into_iter().all(|v| self.is_told_constant(v));
+        (linear && still).then(|| -(size.clone() * size) / (whole(2) * slope))
+    }
+
+    /// Whether a letter does not change, by its law or by a sentence.
+    fn is_told_constant(&mut self, letter: Variable) -> bool {
+        if self.system().atoms.derivative(&fraction(letter)).is_zero() {
+            return true;
+        }
+        let declarations = self.declarations;
+        declarations.iter().any(|d| match &d.statement {
+            Statement::Is { subjects, what } if what.head == CONSTANT => {
+                subjects.iter().any(|subject| match subject {
+                    Term::Formula(own) => {
+                        let own = self.scalar(own, d);
+                        own.is_some_and(|own| own.as_variable() == Some(letter))
+                    }
+                    _ => false,
+                })
+            }
+            _ => false,
+        })
     }
 
     /// "`$M$` is the moment of the spring on the body along z": the only one that is told of it.
