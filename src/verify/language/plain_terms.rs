@@ -56,6 +56,7 @@ use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
+use super::one_spring::name_the_only_spring;
 use super::origins::{name_origins, take_axes_through_origins};
 use super::oscillations::name_oscillations;
 use super::own_notation::tell_own_notation;
@@ -115,6 +116,7 @@ pub(crate) fn in_plain_terms(
     let mut declarations = name_things(declarations, macros, lexicon);
     tell_turns(&mut declarations, macros);
     tell_reactions_of_motors(&mut declarations);
+    name_the_only_spring(&mut declarations);
     tell_loads_of_families(&mut declarations, macros);
     count_members(&mut declarations);
     place_points(&mut declarations, macros);

@@ -96,7 +96,7 @@ fn turns_as_one(whole: &Term, declarations: &[Declaration]) -> bool {
     declarations.iter().any(turns)
 }
 
-/// Whether sentences say that a thing is a body, and none says how it moves, what it is fixed in or what is fixed in it.
+/// Whether a thing is a body, and no sentence says how it moves, what it is fixed in or what is fixed in it.
 fn stands_still(part: &Term, declarations: &[Declaration]) -> bool {
     let moves = |d: &Declaration| match &d.statement {
         Statement::Does { subjects, verb, .. } => {
@@ -112,7 +112,13 @@ fn stands_still(part: &Term, declarations: &[Declaration]) -> bool {
         _ => false,
     };
     let body = |what: &NounPhrase| is_body(what.head) && !is_particle(what);
-    is_said(part, declarations, body) && !declarations.iter().any(moves)
+    // What has no noun is a point, and a plural names several.
+    let named = match part {
+        Term::Name(name) => name.starts_with(char::is_lowercase) && !name.ends_with('s'),
+        _ => false,
+    };
+    let one = named && !is_said(part, declarations, is_particle);
+    (one || is_said(part, declarations, body)) && !declarations.iter().any(moves)
 }
 
 /// What tells that a body moves in another one.

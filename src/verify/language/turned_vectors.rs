@@ -93,11 +93,16 @@ fn statements(
 ) -> Option<Vec<Statement>> {
     let (vector, angle) = (&turned.vector.source, &turned.angle);
     let letter_of = |place: &str, along: &Term| {
+        // An axis that has a letter of its own needs no other one.
+        if let Some(Term::Formula(own)) = named_axis(along, declarations) {
+            return Some((own.source.clone(), None));
+        }
         let letter = formula(&format!("e_{{{place},{vector}}}"), false, macros)?;
         let along = vec![(Slot::Along, along.clone())];
         let what = NounPhrase::new(UNIT_VECTOR, along);
         let source = letter.source.clone();
-        Some((source, Statement::one_is(Term::Formula(letter), what)))
+        let told = Statement::one_is(Term::Formula(letter), what);
+        Some((source, Some(told)))
     };
     let ((one, first), (other, second)) = (
         letter_of("from", &turned.from)?,
@@ -106,11 +111,9 @@ fn statements(
     let source = &angle.source;
     let sign = if turned.against { '-' } else { '+' };
     let sum = format!("{vector}=\\cos({source}){one}{sign}\\sin({source}){other}");
-    let mut told = vec![
-        first,
-        second,
-        Statement::Holds(formula(&sum, false, macros)?),
-    ];
+    let holds = Statement::Holds(formula(&sum, false, macros)?);
+    let mut told: Vec<Statement> = [first, second].into_iter().flatten().collect();
+    told.push(holds);
     let angle = Term::Formula(angle.clone());
     // The sentence tells that the letter is an angle.
     if !declarations
@@ -122,8 +125,28 @@ fn statements(
     Some(told)
 }
 
+/// An axis by the name that sentences give it.
+fn named_axis<'d>(axis: &'d Term, declarations: &'d [Declaration]) -> Option<&'d Term> {
+    let along = direction(axis, declarations).filter(|along| !along.reversed);
+    let (number, frame) = match (along, axis) {
+        (Some(along), _) => (along.number, along.frame),
+        (None, Term::Phrase(numbered)) => match numbered.slot(Slot::Which)? {
+            Term::Numbers(numbers) => (*numbers.first()?, numbered.slot(Slot::Of)?.clone()),
+            _ => return None,
+        },
+        _ => return None,
+    };
+    declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "axes" && subjects.len() == 3 => {
+            let own = what.slot(Slot::Of) == Some(&frame);
+            subjects.get(number.checked_sub(1)?).filter(|_| own)
+        }
+        _ => None,
+    })
+}
+
 /// Whether a sentence says that a letter is a unit vector, and no more.
-fn is_only_a_unit_vector(letter: &Term, declaration: &Declaration) -> bool {
+pub(super) fn is_only_a_unit_vector(letter: &Term, declaration: &Declaration) -> bool {
     match &declaration.statement {
         Statement::Is { subjects, what } => {
             subjects.as_slice() == std::slice::from_ref(letter)

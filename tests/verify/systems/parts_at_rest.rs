@@ -42,9 +42,18 @@ fn the_part_of_a_body_that_carries_a_frame_is_at_rest_in_it() {
 #[test]
 fn a_unit_vector_turns_about_an_axis_with_its_sense() {
     for (axis, wanted) in [
-        ("$n$ is obtained from $i$ by a rotation about $k$ through the angle $\\beta$.", "prr"),
-        ("$n$ is obtained from $j$ by a rotation about $k$ through the angle $\\beta$.", "rpr"),
-        ("$n$ is obtained from $i$ by a rotation about $-k$ through the angle $\\beta$.", "rrp"),
+        (
+            "$n$ is obtained from $i$ by a rotation about $k$ through the angle $\\beta$.",
+            "prr",
+        ),
+        (
+            "$n$ is obtained from $j$ by a rotation about $k$ through the angle $\\beta$.",
+            "rpr",
+        ),
+        (
+            "$n$ is obtained from $i$ by a rotation about $-k$ through the angle $\\beta$.",
+            "rrp",
+        ),
     ] {
         let said = format!(
             "N is an inertial frame.
@@ -66,14 +75,14 @@ $$ n = \cos\beta\, i - \sin\beta\, j $$
 
 const SWING: &str = "$i$, $j$, $k$ are the axes of the inertial frame N.
 $j$ is the upward vertical.
-O is a point fixed in N and in the swing.
-The swing consists of a rod and a disc.
+O is a point fixed in N and in the pendulum.
+The pendulum consists of a rod and a disc.
 The rod is a uniform thin rod of mass $m$ and length $l$.
 The disc is a uniform thin disc of mass $M$ and radius $r$.
 The rod extends from O to S, the mass centre of the disc.
 The axis of the disc is along $k$.
-The swing turns relative to N about the axis through O along $k$ by the angle $q$.
-$I$ is the moment of inertia of the swing about the axis through O along $k$.
+The pendulum turns relative to N about the axis through O along $k$ by the angle $q$.
+$I$ is the moment of inertia of the pendulum about the axis through O along $k$.
 $v$ is the velocity of S relative to N.
 ";
 
@@ -93,7 +102,7 @@ fn a_rod_that_hangs_in_what_turns_is_told_by_its_place_at_zero() {
         "S lies below O at $q=0$.",
         "S is directly below O at $q=0$.",
         "The rod points downward at $q=0$.",
-        "The swing hangs vertically down at $q=0$.",
+        "The pendulum hangs vertically down at $q=0$.",
         "$q=0$ when S is vertically below O.",
         "The angle $q$ is measured from the position in which S is vertically below O.",
     ] {
@@ -108,8 +117,8 @@ fn a_rod_that_hangs_in_what_turns_is_told_by_its_place_at_zero() {
 fn the_energy_of_a_weight_and_of_a_spring_that_turns_a_body_back() {
     let said = format!(
         "{SWING}S lies below O at $q=0$.
-The spring exerts on the swing the moment $-b q$ along $k$, where $b$ is constant.
-The weight, the force of the hinge at O and the moment of the spring are the only loads on the swing.
+The spring exerts on the pendulum the moment $-b q$ along $k$, where $b$ is constant.
+The weight, the force of the hinge at O and the moment of the spring are the only loads on the pendulum.
 $U$ is the potential energy of the weight and of the spring, and it is zero at $q=0$.
 $g$ is the acceleration of gravity.
 "
