@@ -115,11 +115,14 @@ fn statements(
     let mut told: Vec<Statement> = [first, second].into_iter().flatten().collect();
     told.push(holds);
     let angle = Term::Formula(angle.clone());
-    // The sentence tells that the letter is an angle.
-    if !declarations
-        .iter()
-        .any(|d| d.statement.subjects().contains(&angle))
-    {
+    // The sentence tells that the letter is an angle, where no other one needs the vector.
+    let own = Term::Formula(turned.vector.clone());
+    let needed = |d: &Declaration| {
+        let unit = is_only_a_unit_vector(&own, d) || d.statement.does("turn").is_some();
+        !unit && d.statement.terms().contains(&&own)
+    };
+    let told_elsewhere = |d: &Declaration| d.statement.subjects().contains(&angle);
+    if !declarations.iter().any(|d| needed(d) || told_elsewhere(d)) {
         told.push(Statement::one_is(angle, NounPhrase::new("scalar", vec![])));
     }
     Some(told)
