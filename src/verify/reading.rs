@@ -82,6 +82,7 @@ mod particle_loads;
 pub(crate) mod perpendicular_read;
 mod points_read;
 pub(crate) mod points_spoken;
+mod potentials_of_loads;
 pub(crate) mod potentials_read;
 pub(crate) mod premises_read;
 mod principal_axes_read;

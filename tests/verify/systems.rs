@@ -42,6 +42,7 @@ mod one_of_several;
 mod own_words;
 mod own_writing;
 mod parts;
+mod parts_at_rest;
 mod parts_by_plural;
 mod placed_by_angles;
 mod plane_motion;

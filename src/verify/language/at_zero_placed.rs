@@ -5,7 +5,8 @@
 use super::at_zero::{number_of, points_at_zero, turns_by};
 use super::heads::{MASS_CENTRE, VERTICAL};
 use super::planar_axes::axis;
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::turned_lines::direction as direction_of;
 
 /// Places points along axes of the frame that carries them, and leaves out that axes are the same where a turn between them
 /// is zero.
@@ -90,7 +91,15 @@ pub(super) fn carried_by<'d>(carrier: &'d Term, all: &'d [Declaration]) -> Vec<&
         (_, true) => Some(frame),
         _ => None,
     });
-    std::iter::once(carrier).chain(others).collect()
+    let parts = all.iter().flat_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "fixed" && what.slots.len() == 1 => {
+            let own = what.slot(Slot::FixedIn) == Some(carrier) && d.extent == Extent::Document;
+            subjects.iter().filter(|_| own).collect()
+        }
+        _ => vec![],
+    });
+    let own = std::iter::once(carrier).chain(others);
+    own.chain(parts).collect()
 }
 
 /// Whether a point is fixed in one of some things that do not move against each other.
@@ -119,7 +128,8 @@ fn axis_along(along: &Term, base: &Term, all: &[Declaration]) -> Option<(usize, 
             .find_map(|d| number_of(&d.statement, along, base)),
     };
     let Term::Phrase(phrase) = along else {
-        return Some((own(along)?, false));
+        let told = direction_of(along, all)?;
+        return (told.frame == *base).then_some((told.number, told.reversed));
     };
     if phrase.head == "axis" {
         return match (phrase.slot(Slot::Of)?, phrase.slot(Slot::Which)?) {

@@ -3,9 +3,10 @@
 
 use super::at_zero::turns_by;
 use super::heads::{MASS_CENTRE, UNIT_VECTOR, VERTICAL, VERTICALLY_ABOVE};
+use super::hung_ends::{is_only_end, place_other_ends};
 use super::planar_axes::{axis, vertical};
 use super::reader::formula;
-use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term, slot};
+use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term, slot};
 use super::traits::{Trait, has};
 use super::turned_lines::{Direction, direction};
 use crate::notation::Macros;
@@ -54,14 +55,15 @@ fn hung(statement: &Statement, all: &[Declaration], macros: &Macros) -> Option<H
         Statement::Is { subjects, what } if what.head == VERTICAL => Hung {
             rod: subjects.first()?.clone(),
             from: None,
-            towards: along_vertical("downward"),
-            zero: Some(condition(&what.slots).filter(|_| what.is("downward"))?),
+            towards: along_vertical(sense_of(what)?),
+            zero: Some(condition(&what.slots)?),
         },
         Statement::Is { subjects, what } if what.head == "angle" => {
             hung_by_angle(subjects, what, all, macros)?
         }
         _ => return None,
     };
+    let hung = of_its_rod(hung, all);
     // Where a vector is along the rod its sentence tells the place.
     let told_by_vector = all.iter().any(|d| match &d.statement {
         Statement::Is { what, .. } => {
@@ -73,6 +75,31 @@ fn hung(statement: &Statement, all: &[Declaration], macros: &Macros) -> Option<H
     shapes
         .any(|d| is_rod(&hung.rod, &d.statement))
         .then_some(hung)
+}
+
+fn sense_of(vertical: &NounPhrase) -> Option<&'static str> {
+    match (vertical.is("upward"), vertical.is("downward")) {
+        (true, false) => Some("upward"),
+        (false, true) => Some("downward"),
+        _ => None,
+    }
+}
+
+/// "The pendulum hangs down", of a body with one rod among its parts: that does.
+fn of_its_rod(hung: Hung, all: &[Declaration]) -> Hung {
+    let parts = all.iter().find_map(|d| match d.statement.does("consist")? {
+        ([whole], parts) if *whole == hung.rod => Some(parts),
+        _ => None,
+    });
+    let parts = parts.into_iter().flatten().map(|(_, part)| part);
+    let mut rods = parts.filter(|part| all.iter().any(|d| is_rod(part, &d.statement)));
+    match (rods.next(), rods.next()) {
+        (Some(rod), None) => Hung {
+            rod: rod.clone(),
+            ..hung
+        },
+        _ => hung,
+    }
 }
 
 /// "The rod hangs from O", "the rod lies along x from O", "G lies below O", each at the zero of an angle.
@@ -273,15 +300,25 @@ fn axis_of(carrier: &Term, towards: &Direction) -> Term {
     along
 }
 
-/// The rod and the frames that are fixed in it.
+/// The rod, the body of which it is a part that is fixed in it, and the frames that are fixed in these.
 fn carriers(rod: &Term, all: &[Declaration]) -> Vec<Term> {
-    let frames = all.iter().filter_map(|d| match &d.statement {
-        Statement::Is { subjects, what } if what.head == "frame" => {
-            (what.slot(Slot::FixedIn) == Some(rod)).then(|| subjects.first())?
-        }
-        _ => None,
-    });
-    std::iter::once(rod).chain(frames).cloned().collect()
+    let fixed = |head: &'static str| {
+        all.iter().filter_map(move |d| match &d.statement {
+            Statement::Is { subjects, what }
+                if what.head == head && d.extent == Extent::Document =>
+            {
+                Some((subjects.first()?, what.slot(Slot::FixedIn)?))
+            }
+            _ => None,
+        })
+    };
+    let wholes = fixed("fixed").filter(|(part, _)| *part == rod);
+    let bodies: Vec<&Term> = std::iter::once(rod)
+        .chain(wholes.map(|(_, whole)| whole))
+        .collect();
+    let frames = fixed("frame").filter(|(_, body)| bodies.contains(body));
+    let frames = frames.map(|(frame, _)| frame);
+    bodies.iter().copied().chain(frames).cloned().collect()
 }
 
 /// Whether the rod, or a frame fixed in it, turns by the angle about an axis, and not the other way round.
@@ -327,46 +364,6 @@ fn is_fixed(point: &Term, all: &[Declaration]) -> bool {
     })
 }
 
-/// "O and A are the ends of the rod": A lies as far from O along it as it is long.
-fn place_other_ends(rod: &Term, slots: &[(Slot, Term)], declarations: &mut [Declaration]) {
-    let (Some(from), Some(along)) = (slot(slots, Slot::From), slot(slots, Slot::Along)) else {
-        return;
-    };
-    let length = declarations.iter().find_map(|d| match &d.statement {
-        Statement::Is { what, .. } if is_rod(rod, &d.statement) => what.size("length").cloned(),
-        _ => None,
-    });
-    for declaration in declarations {
-        let Statement::Is { subjects, what } = &declaration.statement else {
-            continue;
-        };
-        let ends = what.head == "end" && what.slot(Slot::Of) == Some(rod);
-        let other: Vec<Term> = subjects.iter().filter(|s| *s != from).cloned().collect();
-        if let (true, 1, Some(length)) = (ends, other.len(), &length) {
-            declaration.statement = Statement::Does {
-                subjects: other,
-                verb: "lie",
-                slots: vec![
-                    (Slot::At, length.clone()),
-                    (Slot::From, from.clone()),
-                    (Slot::Along, along.clone()),
-                ],
-            };
-        }
-    }
-}
-
-/// "O is an end of the rod", of the end from which it lies.
-fn is_only_end(statement: &Statement, rod: &Term, slots: &[(Slot, Term)]) -> bool {
-    match statement {
-        Statement::Is { subjects, what } if what.head == "end" => {
-            let from = slot(slots, Slot::From);
-            what.slot(Slot::Of) == Some(rod) && subjects.iter().all(|end| Some(end) == from)
-        }
-        _ => false,
-    }
-}
-
 fn condition(slots: &[(Slot, Term)]) -> Option<Formula> {
     slots.iter().find_map(|(slot, at)| match (slot, at) {
         (Slot::At, Term::Formula(zero)) if at.is_condition() => Some(zero.clone()),
@@ -374,7 +371,7 @@ fn condition(slots: &[(Slot, Term)]) -> Option<Formula> {
     })
 }
 
-fn is_rod(rod: &Term, statement: &Statement) -> bool {
+pub(super) fn is_rod(rod: &Term, statement: &Statement) -> bool {
     matches!(statement, Statement::Is { subjects, what }
         if has(what.head, Trait::Slender)
             && subjects.as_slice() == [rod.clone()]

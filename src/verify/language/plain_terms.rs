@@ -58,6 +58,7 @@ use super::named_members::name_members;
 use super::numbered_frames::name_frames_by_numbers;
 use super::on_lines::place_on_lines;
 use super::on_rings::place_on_rings;
+use super::one_spring::name_the_only_spring;
 use super::origins::{name_origins, take_axes_through_origins};
 use super::oscillations::name_oscillations;
 use super::own_notation::tell_own_notation;
@@ -89,6 +90,7 @@ use super::sides::tell_sides;
 use super::single_moments::tell_single_moments;
 use super::sizes_aside::give_sizes_aside;
 use super::slopes::lay_slopes;
+use super::spin_axes::name_spin_axes;
 use super::spins::turn_about_axes_of_symmetry;
 use super::statement::Declaration;
 use super::straight_ways::move_on_lines;
@@ -118,6 +120,7 @@ pub(crate) fn in_plain_terms(
     let mut declarations = name_things(declarations, macros, lexicon);
     tell_turns(&mut declarations, macros);
     tell_reactions_of_motors(&mut declarations);
+    name_the_only_spring(&mut declarations);
     tell_loads_of_families(&mut declarations, macros);
     count_members(&mut declarations);
     place_points(&mut declarations, macros);
@@ -217,6 +220,7 @@ fn count_members(declarations: &mut Vec<Declaration>) {
     place_elements(declarations);
     tell_places_of_particles(declarations);
     number_counted(declarations);
+    name_spin_axes(declarations);
     fix_particles(declarations);
     lay_in_turn(declarations);
 }

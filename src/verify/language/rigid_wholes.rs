@@ -21,7 +21,8 @@ pub(crate) fn fix_particles(declarations: &mut Vec<Declaration>) {
             .iter()
             .all(|part| is_said(part, declarations, is_particle));
         let rigid = called == RIGID || is_said(whole, declarations, |what| what.is("rigid"));
-        if rigid && !particles && called != RIGID {
+        let keeps = rigid || has_frame(whole, declarations) || turns_as_one(whole, declarations);
+        if keeps && !particles && called != RIGID {
             let still = parts.iter().filter(|part| stands_still(part, declarations));
             let fixed = |part: &Term| {
                 let inside = vec![(Slot::FixedIn, whole.clone())];
@@ -86,24 +87,53 @@ fn frames_fixed_in<'d>(
     frames.flatten()
 }
 
-/// Whether sentences say that a thing is a body, and none says how it moves, what it is fixed in or what is fixed in it.
+/// "The pendulum turns relative to N about z by the angle `$q$`": what turns so is one rigid body.
+fn turns_as_one(whole: &Term, declarations: &[Declaration]) -> bool {
+    let turns = |d: &Declaration| {
+        let turn = d.statement.does("turn").or(d.statement.does("swing"));
+        turn.is_some_and(|(subjects, _)| subjects.contains(whole))
+    };
+    declarations.iter().any(turns)
+}
+
+/// Whether a thing is a body, and no sentence says how it moves, what it is fixed in or what is fixed in it.
 fn stands_still(part: &Term, declarations: &[Declaration]) -> bool {
     let moves = |d: &Declaration| match &d.statement {
-        Statement::Does { subjects, verb, .. } => *verb != "lie" && subjects.contains(part),
+        Statement::Does { subjects, verb, .. } => {
+            !PLACING.contains(verb) && subjects.contains(part)
+        }
         Statement::Is { subjects, what } => {
             let fixed = what.head == "fixed" || what.slot(Slot::FixedIn).is_some();
             let carries = what.all(Slot::FixedIn).any(|of| of == part);
-            let turned = MOTIONS.contains(&what.head) && what.all(Slot::Of).any(|of| of == part);
+            let of_part = what.slots.iter().any(|(_, of)| of == part);
+            let turned = MOTIONS.contains(&what.head) && of_part;
             fixed && subjects.contains(part) || carries || turned
         }
         _ => false,
     };
     let body = |what: &NounPhrase| is_body(what.head) && !is_particle(what);
-    is_said(part, declarations, body) && !declarations.iter().any(moves)
+    // What has no noun is a point, and a plural names several.
+    let named = match part {
+        Term::Name(name) => name.starts_with(char::is_lowercase) && !name.ends_with('s'),
+        _ => false,
+    };
+    let one = named && !is_said(part, declarations, is_particle);
+    (one || is_said(part, declarations, body)) && !declarations.iter().any(moves)
 }
 
 /// What tells that a body moves in another one.
-const MOTIONS: [&str; 3] = [ANGULAR_VELOCITY, "spin", "rate"];
+const MOTIONS: [&str; 5] = [ANGULAR_VELOCITY, "spin", "rate", "angle", "rotation matrix"];
+
+/// Verbs that tell where a body is, and not that it moves.
+const PLACING: [&str; 7] = [
+    "lie",
+    "extend",
+    "place",
+    "point",
+    "pass",
+    "have",
+    "have components",
+];
 
 fn is_particle(what: &NounPhrase) -> bool {
     what.head == "particle"

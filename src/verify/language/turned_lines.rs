@@ -12,6 +12,7 @@ use super::statement::{Declaration, NounPhrase, Slot, Statement, Term, slot};
 use super::turned_frames::turn_frames;
 use super::turned_triads::turn_triads;
 use super::turned_vectors::turn_vectors;
+use super::vectors_by_components::tell_by_components;
 use crate::notation::Macros;
 
 /// Words of the sense in which an angle grows.
@@ -37,6 +38,7 @@ pub(crate) fn turn_lines(declarations: &mut Vec<Declaration>, macros: &Macros) {
     turn_by_nodes(declarations, macros);
     place_by_spherical_angles(declarations, macros);
     turn_vectors(declarations, macros);
+    tell_by_components(declarations, macros);
     turn_triads(declarations, macros);
     turn_frames(declarations);
     incline_frames(declarations, macros);

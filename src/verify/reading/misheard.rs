@@ -34,6 +34,9 @@ const SENSES: [&str; 5] = [
     TOWARDS_GROWING,
 ];
 
+/// What bodies have and their masses have not.
+const SIZES: [&str; 5] = ["radius", "length", "height", "width", MASS];
+
 /// Directions that a letter is said to be.
 const DIRECTIONS: [&str; 3] = [VERTICAL, DOWNHILL, UPHILL];
 
@@ -142,7 +145,18 @@ fn is_told_otherwise(subjects: &[Term], what: &NounPhrase) -> bool {
     };
     let mut slots = what.slots.iter();
     let reversed = slots.any(|(slot, term)| is_reversed(term) && !told(*slot, term));
-    with || less || together || opposite || counted || per_unit || reversed
+    // The axes of a frame are none, and no formula of letters is a body.
+    let other = what.head == "frame" && subjects.iter().any(is_of_frame);
+    let upon_formula = is_load(what.head) && what.all(Slot::Upon).any(is_negative);
+    // A mass has no size but itself.
+    let of_mass = SIZES.contains(&what.head) && what.all(Slot::Of).any(|of| of.is_noun(MASS));
+    let strange = other || upon_formula || of_mass;
+    with || less || together || opposite || counted || per_unit || reversed || strange
+}
+
+/// "the axes of A"
+fn is_of_frame(subject: &Term) -> bool {
+    matches!(subject, Term::Phrase(part) if ["axes", "axis", "point"].contains(&part.head))
 }
 
 /// "except the sign"; of a total load other loads may be left out.

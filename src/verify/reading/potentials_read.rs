@@ -11,6 +11,7 @@ use crate::verify::model::atoms::{Nature, whole};
 use crate::verify::model::system::{BodyId, FrameId, PointId, Vector};
 use crate::verify::reading::builder::{Builder, MOST_TERMS};
 use crate::verify::reading::names::POTENTIAL;
+use crate::verify::reading::potentials_of_loads::is_potential_of_weight;
 use crate::verify::reading::springs_read::{is_of_spring, speaks_of_spring};
 use crate::verify::reading::working_loads_read::{MOTOR, is_joint};
 use crate::verify::term::quantity::Quantity;
@@ -177,7 +178,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The parts of a body that are fixed in several frames: where its mass centre is they tell; else the body itself.
-    fn parts_that_move(&self, body: usize) -> Vec<usize> {
+    pub(super) fn parts_that_move(&self, body: usize) -> Vec<usize> {
         let system = &self.reading.system;
         let parts = system.wholes(body);
         let frames = parts.windows(2);
@@ -192,7 +193,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The same of parts of a body, which are all that changes it.
-    fn potential_of(&mut self, body: usize, parts: &[usize]) -> Option<Quantity> {
+    pub(super) fn potential_of(&mut self, body: usize, parts: &[usize]) -> Option<Quantity> {
         let gravity = self.gravity.clone()?;
         let mut declarations = self.declarations.iter();
         if declarations.any(|d| d.may_speak_of(&OF_POTENTIALS)) {
@@ -249,7 +250,7 @@ impl<'a> Builder<'a> {
     }
 
     /// Where a sentence says that the potential energy of a body is zero.
-    fn zeros_of_potential(&self, body: usize) -> Vec<(&'a Term, &'a Declaration)> {
+    pub(super) fn zeros_of_potential(&self, body: usize) -> Vec<(&'a Term, &'a Declaration)> {
         let of_body = |of: Option<&Term>| of.is_none_or(|of| self.body(of) == Some(body));
         let said = self.declarations.iter().find_map(|d| match &d.statement {
             Statement::Premise(premise) if premise.head == POTENTIAL => {
@@ -272,14 +273,15 @@ impl<'a> Builder<'a> {
                 let of = what
                     .slot(Slot::Of)
                     .map_or(self.only_body(), |of| self.body(of));
-                subjects.contains(letter) && of == Some(body)
+                let own = of == Some(body) || is_potential_of_weight(what);
+                subjects.contains(letter) && own
             }
             _ => false,
         })
     }
 
     /// A value where letters have other values: `\\theta = 0`, `\\alpha = \\beta = \\pi/2`.
-    fn under(
+    pub(super) fn under(
         &mut self,
         value: &Fraction,
         conditions: &[(&Term, &Declaration)],

@@ -19,6 +19,7 @@ use crate::verify::reading::names::{
     UNIT_VECTOR, name_of, opposite, told,
 };
 use crate::verify::reading::no_loads_read::leaves_out;
+use crate::verify::reading::potentials_of_loads::is_potential_of_weight;
 use crate::verify::reading::springs_read::is_spring;
 use crate::verify::term::quantity::{Quantity, Whole};
 use crate::verify::term::value::{Basis, Value};
@@ -253,8 +254,12 @@ impl Builder<'_> {
         }
         if let (POTENTIAL, Some(of)) = (phrase.head, phrase.slot(Slot::Of))
             && is_spring(of)
+            && phrase.all(Slot::Of).count() == 1
         {
             return self.energy_of_spring(of);
+        }
+        if is_potential_of_weight(phrase) {
+            return self.potential_of_loads(phrase);
         }
         let (of, body) = (self.whole_of(phrase)?, self.body_of(phrase));
         let rotation = self.is_of_rotation(phrase, relative, body)?;

@@ -2,7 +2,7 @@
 
 use crate::algebra::Fraction;
 use crate::mechanics;
-use crate::notation::ast::{Function, Kind, Node};
+use crate::notation::ast::{Function, Kind, Node, Symbol};
 use crate::verify::model::frames::{about_axis, about_vector};
 use crate::verify::model::system::{FrameId, Matrix};
 use crate::verify::term::letters::Effect;
@@ -12,7 +12,36 @@ use crate::verify::term::value::{Basis, OTHER_ARGUMENT, Value, Valued, beyond};
 use num_traits::{One, ToPrimitive, Zero};
 use std::ops::Range;
 
+/// So long is what stands before the exponent of `e^{x}`; `\\exp` is longer.
+const LONGEST_BASE: u32 = 3;
+
 impl Lowering<'_> {
+    /// The letter e of `e^2` where a sentence tells what it is: no base of the natural logarithm.
+    pub(super) fn told_base(&mut self, node: &Node) -> Option<Node> {
+        let Kind::Function(Function::Exp, exponent) = &node.kind else {
+            return None;
+        };
+        let e = Symbol {
+            name: "e".into(),
+            ..Symbol::default()
+        };
+        let base = Node {
+            kind: Kind::Symbol(e),
+            span: node.span,
+        };
+        let before = exponent.span.start.checked_sub(node.span.start)?;
+        if before > LONGEST_BASE {
+            return None;
+        }
+        let (unknown, met) = (self.unknown.clone(), self.occurrences.clone());
+        let value = self.value(&base);
+        (self.unknown, self.occurrences) = (unknown, met);
+        let atoms = &self.system.atoms;
+        let told = |f: &Fraction| f.variables().iter().all(|v| !atoms.is_unknown(*v));
+        let told = value.is_ok_and(|value| value.is_scalar() && value.entries.iter().all(told));
+        told.then_some(base)
+    }
+
     pub(super) fn function(&mut self, function: Function, inner: &Node) -> Valued {
         if function == Function::Skew {
             let value = self.value(inner)?;

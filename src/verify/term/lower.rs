@@ -190,7 +190,10 @@ impl<'a> Lowering<'a> {
                 variables,
                 partial,
             } => self.derivative(operand, variables, *partial),
-            Kind::Function(function, inner) => self.function(*function, inner),
+            Kind::Function(function, inner) => match self.told_base(node) {
+                Some(base) => self.power(&base, inner),
+                None => self.function(*function, inner),
+            },
             Kind::Call(head, arguments) => self.call(head, arguments),
             Kind::InFrame(inner, label) if is_size(&label.text) => self.sized(inner),
             Kind::InFrame(inner, label) => self.in_frame(inner, &label.text),
