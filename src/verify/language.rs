@@ -19,6 +19,7 @@ pub(crate) mod adjectives;
 mod anaphora;
 mod angles_about;
 mod angles_told;
+mod appositions;
 mod asides;
 mod at_zero;
 mod at_zero_placed;

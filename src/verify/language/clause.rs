@@ -1,7 +1,6 @@
 //! Whole sentences.
 
 use super::gaps::alike_at_end;
-use super::heads::MASS_CENTRE;
 use super::in_turn::does_in_turn;
 use super::lexicon::{Class, Found};
 use super::phrase::NOUNS;
@@ -10,7 +9,6 @@ use super::reader::{COPULAS, Read, Reader};
 use super::sign::operating;
 use super::statement::{Extent, Formula, NotationMeaning, NounPhrase, Slot, Statement, Term};
 use super::words::Kind;
-use super::{is_body, is_quantity, is_thing};
 
 /// Space has no more dimensions than this: matrices grow with their square.
 const MOST_DIMENSIONS: usize = 8;
@@ -180,46 +178,6 @@ impl<'a> Reader<'a> {
                 return Ok(());
             }
         }
-    }
-
-    /// ", a point fixed in N" behind what something is said to be.
-    fn appositions(
-        &mut self,
-        subjects: &[Term],
-        formulas: Option<&[Formula]>,
-        statements: &mut Vec<Statement>,
-    ) -> Read<()> {
-        while matches!(statements.last(), Some(Statement::Is { .. })) {
-            let start = self.at;
-            let comma = self.take_sign(Kind::Comma);
-            let article = ["a", "an", "the"].contains(&self.word());
-            if !comma || !article || self.at_clause() {
-                self.at = start;
-                break;
-            }
-            let article_at = self.at;
-            let owner = statements.last().and_then(owner_of_place);
-            let said = self.predicate(subjects, formulas.map(<[Formula]>::to_vec))?;
-            let mut nouns = said.iter().filter_map(Statement::noun_phrase);
-            let owner = owner.filter(|_| nouns.any(|what| is_body(what.head)));
-            let (last, first) = (statements.last(), said.first());
-            // "`$r$` is the position of P, a point fixed in B": P is that point, and no letter is both.
-            let of_another = formulas.is_some()
-                && last.is_some_and(says_quantity)
-                && first.is_some_and(says_thing);
-            statements.extend(match owner {
-                Some(owner) => {
-                    self.at = article_at;
-                    self.predicate(&[owner], None)?
-                }
-                None if of_another => {
-                    self.at = start;
-                    break;
-                }
-                None => said,
-            });
-        }
-        Ok(())
     }
 
     /// Takes "and" or a comma before another clause: "…, and `$H$` is its magnitude".
@@ -392,17 +350,6 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// "G is the mass centre of the aircraft, a rigid body": a point and a quantity are no body, what they are of is one.
-fn owner_of_place(statement: &Statement) -> Option<Term> {
-    match statement {
-        Statement::Is { what, .. } if what.head == MASS_CENTRE || is_quantity(what.head) => {
-            let of = what.slot(Slot::Of)?;
-            (!matches!(of, Term::Formula(_))).then(|| of.clone())
-        }
-        _ => None,
-    }
-}
-
 /// The thing whose quantity a statement says a letter to be.
 fn owner_in(statement: &Statement) -> Option<Term> {
     match statement {
@@ -419,14 +366,4 @@ pub(crate) fn as_formula(term: &Term) -> Option<Formula> {
         Term::Formula(formula) => Some(formula.clone()),
         _ => None,
     }
-}
-
-/// Whether letters are said to be a quantity.
-fn says_quantity(statement: &Statement) -> bool {
-    matches!(statement, Statement::Is { what, .. } if is_quantity(what.head))
-}
-
-/// Whether something is said to be a body or a place.
-fn says_thing(statement: &Statement) -> bool {
-    matches!(statement, Statement::Is { what, .. } if is_thing(what.head))
 }

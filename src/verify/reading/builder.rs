@@ -22,7 +22,9 @@ use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::Value;
-use crate::verify::term::written::{Written, WrittenSymbols};
+use crate::verify::term::written::{
+    PRODUCTS_AS_ENTRIES, PRODUCTS_AS_INTEGRALS, Written, WrittenSymbols,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A reading under way.
@@ -66,8 +68,10 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
             then && !at_blow && !tells_zero_of_potential(d, declarations) || denies(d)
         });
     let mut builder = Builder::of(&always);
-    builder.reading.letters.customs.integrals = true;
     builder.reading.system.atoms.begin_at(first);
+    // A matrix tells how products of inertia are written, where no sentence does.
+    builder.reading.letters.customs.integrals =
+        !written.has(PRODUCTS_AS_ENTRIES) || written.has(PRODUCTS_AS_INTEGRALS);
     builder.reading.letters.written = written;
     builder.say_conditional(&conditional);
     builder.look_for_blow();

@@ -117,17 +117,10 @@ impl Builder<'_> {
         if is_tensor(&of) {
             return self.say_unused(declaration);
         }
-        let component = |place: usize| Quantity::Component {
-            of: of.clone().boxed(),
-            axis: single.unwrap_or(place),
-            on: frame,
-        };
-        let all = subjects.iter().take(3).enumerate();
-        let all = all.filter_map(|(place, subject)| match subject {
-            Term::Formula(formula) => Some((formula, component(place))),
-            _ => None,
-        });
-        self.tell_each(all.collect(), declaration);
+        self.tell_each(
+            components_in_order(subjects, &of, single, frame),
+            declaration,
+        );
     }
 
     /// "`$u$` are the components of `$v$` on B": the array of them, or one for each value of an index.
@@ -378,6 +371,26 @@ fn without_inner_directions(what: &NounPhrase) -> NounPhrase {
     }
     outer.slots.extend(moved);
     outer
+}
+
+/// Letters for the components of a vector in their order, or for a single one.
+fn components_in_order<'t>(
+    subjects: &'t [Term],
+    of: &Quantity,
+    single: Option<usize>,
+    on: FrameId,
+) -> Vec<(&'t Formula, Quantity)> {
+    let component = |place: usize| Quantity::Component {
+        of: of.clone().boxed(),
+        axis: single.unwrap_or(place),
+        on,
+    };
+    let all = subjects.iter().take(3).enumerate();
+    let letters = all.filter_map(|(place, subject)| match subject {
+        Term::Formula(formula) => Some((formula, component(place))),
+        _ => None,
+    });
+    letters.collect()
 }
 
 /// A letter, also in brackets: "`[J]`".

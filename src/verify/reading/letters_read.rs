@@ -4,7 +4,7 @@ use crate::notation::ast::Kind;
 use crate::verify::language::heads::{
     COMPONENT_ROTATION, COORDINATES, DISTURBANCE, DOWNHILL, DYNAMICALLY_BALANCED,
     FIRST_ORDER_CHANGE, IMAGINARY_UNIT, JACOBIAN, MOMENT, MOMENT_OF_INERTIA, NATURAL_BASE,
-    NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE,
+    NATURAL_LENGTH, NORMAL, OTHER_PRODUCTS, PLANE_OF_SYMMETRY, QUATERNION, REFERENCE, SEMI_AXIS,
     STATICALLY_BALANCED, STEP_SIZE, TENSOR_PRODUCT, UNBALANCED, UPHILL,
 };
 use crate::verify::language::statement::{
@@ -203,8 +203,8 @@ impl Builder<'_> {
             _ if self.says_nothing_new(subjects, what) => {}
             "positive" | "negative" => self.read_sign(subjects, what, declaration),
             "time" => self.read_time(subjects, declaration),
-            "radius" | "length" | "width" | "thickness" | "side" | "diameter" | "stiffness"
-            | "damping" | NATURAL_LENGTH => {
+            "radius" | "length" | "width" | "thickness" | "side" | SEMI_AXIS | "diameter"
+            | "stiffness" | "damping" | NATURAL_LENGTH => {
                 self.read_size(subjects, declaration);
             }
             DOWNHILL | UPHILL if self.is_tilted() => {}

@@ -102,14 +102,7 @@ fn is_misheard(statement: &Statement) -> bool {
             let itself = what.all(Slot::FixedIn).any(|of| subjects.contains(of));
             itself || statement.tells_sense() || is_told_otherwise(subjects, what)
         }
-        Statement::Premise(what) => {
-            // Where or when alone nothing else acts is not worked with.
-            let listed = is_load(what.head) && (what.is("only") || what.is("no"));
-            let placed = |at: &Term| instant_of(Slot::At, at).is_none();
-            listed && what.all(Slot::At).any(placed)
-                || (what.head != MASS && is_per_unit(what))
-                || has_reversed(&what.slots)
-        }
+        Statement::Premise(what) => is_premise_misheard(what),
         // Primes and labels mean nothing by themselves; other signs do by custom.
         Statement::Notation { sign, meaning } => {
             let plain = matches!(
@@ -123,10 +116,21 @@ fn is_misheard(statement: &Statement) -> bool {
                 NotationMeaning::Noun(noun) => noun.all(Slot::On).count() > 1,
                 _ => false,
             };
-            *meaning == NotationMeaning::Fixed(NOTHING) && !plain || on_several
+            let labelled = matches!(sign, Sign::Label { .. });
+            *meaning == NotationMeaning::Fixed(NOTHING) && !plain || labelled && on_several
         }
         _ => false,
     }
+}
+
+/// Whether a premise says more, or other, than what is worked with.
+fn is_premise_misheard(what: &NounPhrase) -> bool {
+    // Where or when alone nothing else acts is not worked with.
+    let listed = is_load(what.head) && (what.is("only") || what.is("no"));
+    let placed = |at: &Term| instant_of(Slot::At, at).is_none();
+    listed && what.all(Slot::At).any(placed)
+        || (what.head != MASS && is_per_unit(what))
+        || has_reversed(&what.slots)
 }
 
 /// Whether something is said to be what a word makes another thing.

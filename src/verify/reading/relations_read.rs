@@ -163,10 +163,8 @@ impl Builder<'_> {
             .or(of.frame());
         let on = on.unwrap_or(self.reading.letters.component_frame);
         if self.is_vector(&of) {
-            let components = NounPhrase {
-                head: "component",
-                ..what.clone()
-            };
+            let mut components = what.clone();
+            components.head = "component";
             self.read_components(subjects, &components, declaration);
             return Some(());
         }
@@ -191,9 +189,7 @@ impl Builder<'_> {
             if let Quantity::Known(value) = &of
                 && (value.rows, value.columns) != (3, 3)
             {
-                let labelled = value.entries.get(row * value.columns + column);
-                let entry = labelled.filter(|_| column < value.columns)?.clone();
-                let entry = Quantity::Known(Value::scalar(entry));
+                let entry = Quantity::Known(known_entry(value, row, column)?);
                 self.denote(formula, Meaning::Quantity(entry), declaration);
                 continue;
             }
@@ -386,6 +382,13 @@ pub(super) fn is_tensor(quantity: &Quantity) -> bool {
         Quantity::On(of, _) => is_tensor(of),
         _ => false,
     }
+}
+
+/// An entry of a matrix of any size, where it has one there.
+fn known_entry(value: &Value, row: usize, column: usize) -> Option<Value> {
+    let labelled = value.entries.get(row * value.columns + column);
+    let entry = labelled.filter(|_| column < value.columns)?;
+    Some(Value::scalar(entry.clone()))
 }
 
 /// Rows and columns that are told by their numbers.

@@ -9,8 +9,11 @@ use crate::recent::Digest;
 use crate::verify::standing::memory::tree_of;
 use crate::verify::term::labels::rate_of;
 use crate::verify::term::letters::{spell, spelled};
-use crate::verify::term::written::{TURNING_RATE, Writing, Written, defined};
+use crate::verify::term::written::{
+    PRODUCTS_AS_ENTRIES, PRODUCTS_AS_INTEGRALS, TURNING_RATE, Writing, Written, defined,
+};
 use foldhash::{HashMap, HashSet};
+use num_traits::Zero;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -108,6 +111,7 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
             Kind::Symbol(symbol) if seen.insert((symbol, false)) => {
                 found.insert(spell(symbol, true));
             }
+            Kind::Matrix(rows) => found.extend(products_in(rows).map(str::to_owned)),
             Kind::TimeDerivative { operand, frame, .. } => {
                 let turning = frame
                     .as_ref()
@@ -152,6 +156,30 @@ pub(crate) fn written_symbols(document: &Document) -> Written {
         trees,
         bounds: bounds_of_sums(document),
     })
+}
+
+/// How a matrix writes products of inertia, if it does: each of them twice, with two labels, all as they are or all with a minus.
+fn products_in(rows: &[Vec<Node>]) -> Option<&'static str> {
+    let mut found = None;
+    for (row, column) in [(0, 1), (0, 2), (1, 2)] {
+        let (entry, mirrored) = (rows.get(row)?.get(column)?, rows.get(column)?.get(row)?);
+        let (symbol, sign) = match (&entry.kind, &mirrored.kind) {
+            (Kind::Number(zero), Kind::Number(_)) if zero.value.is_zero() => continue,
+            (Kind::Symbol(one), Kind::Symbol(other)) if one == other => (one, PRODUCTS_AS_ENTRIES),
+            (Kind::Negate(one), Kind::Negate(_)) => match &one.kind {
+                Kind::Symbol(symbol) => (symbol, PRODUCTS_AS_INTEGRALS),
+                _ => return None,
+            },
+            _ => return None,
+        };
+        let labels = symbol.subscripts.last()?;
+        let two = labels.chars().count() == 2 && labels.chars().nth(0) != labels.chars().nth(1);
+        if rows.len() != 3 || !two || found.is_some_and(|other| other != sign) {
+            return None;
+        }
+        found = Some(sign);
+    }
+    found
 }
 
 /// The letters alone of which a line says by a sign of its own what they are.

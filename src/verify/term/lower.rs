@@ -158,10 +158,7 @@ impl<'a> Lowering<'a> {
             Kind::Negate(inner) => Ok(self.value(inner)?.negated()),
             Kind::Sum(terms) => self.sum(terms),
             Kind::Product(factors) => self.product_of(node, factors),
-            Kind::Quotient(top, bottom) => {
-                let (top, bottom) = (self.value(top)?, self.value(bottom)?);
-                self.system.quotient(&top, &bottom)
-            }
+            Kind::Quotient(top, bottom) => self.quotient(top, bottom),
             Kind::Power(base, exponent) => self.power(base, exponent),
             Kind::Transpose(inner) => self.transpose(inner),
             Kind::Skew(inner) => self.skew(node, inner),
@@ -207,6 +204,11 @@ impl<'a> Lowering<'a> {
             Kind::Ellipsis => beyond("something left out"),
             Kind::Error(message) => beyond(message.clone()),
         }
+    }
+
+    fn quotient(&mut self, top: &Node, bottom: &Node) -> Valued {
+        let (top, bottom) = (self.value(top)?, self.value(bottom)?);
+        self.system.quotient(&top, &bottom)
     }
 
     /// The value of a letter that stands for a quantity; it is worked out once.

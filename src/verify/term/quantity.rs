@@ -253,7 +253,10 @@ impl System {
             let text = match (value.is_scalar(), columns) {
                 (true, _) => text.to_owned(),
                 (_, 1) => component_text(text, at),
-                _ => format!("{{{text}}}_{{{}{}}}", at / columns + 1, at % columns + 1),
+                _ => {
+                    let (row, column) = value.earlier_place(at);
+                    format!("{{{text}}}_{{{}{}}}", row + 1, column + 1)
+                }
             };
             let law = Law {
                 name,

@@ -180,6 +180,17 @@ impl Value {
         }
     }
 
+    /// The row and the column of an entry, or those of the equal one on the other side of the diagonal, where that comes first.
+    pub(crate) fn earlier_place(&self, at: usize) -> (usize, usize) {
+        let (row, column) = (at / self.columns, at % self.columns);
+        let mirrored = self.entries.get(column * self.columns + row);
+        let equal = self.rows == self.columns && mirrored == self.entries.get(at);
+        match equal && row > column {
+            true => (column, row),
+            false => (row, column),
+        }
+    }
+
     pub(crate) fn shape(&self) -> Shape {
         Shape {
             rows: self.rows,

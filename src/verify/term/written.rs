@@ -10,6 +10,11 @@ use std::sync::Arc;
 /// What stands among the symbols where a rate on axes that turn is written, with a d that is marked or a δ.
 pub(crate) const TURNING_RATE: &str = "d'/dt";
 
+/// What stands among the symbols where a symmetric matrix has letters with two labels off its diagonal as they are, and where
+/// all of them have a minus: by the one, products of inertia are entries, by the other, integrals.
+pub(crate) const PRODUCTS_AS_ENTRIES: &str = "I_{jk}";
+pub(crate) const PRODUCTS_AS_INTEGRALS: &str = "-I_{jk}";
+
 /// What stands among the symbols where a line says by `:=` or `=:` what a letter is.
 pub(crate) fn defined(letter: &str) -> String {
     format!("{letter} :=")
