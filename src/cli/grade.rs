@@ -18,6 +18,7 @@ mod class;
 mod folder;
 mod intake;
 mod journal;
+mod lock;
 mod names;
 mod results;
 mod roster;

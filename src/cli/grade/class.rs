@@ -2,6 +2,7 @@
 
 use crate::cli::grade::folder::{HandedIn, Pending};
 use crate::cli::grade::journal::{self, Journal, Place, Students, digest, parts};
+use crate::cli::grade::lock::Lock;
 use crate::cli::grade::names::{Naming, file_stem};
 use crate::cli::grade::roster::Roster;
 use crate::cli::grade::telling::Telling;
@@ -70,6 +71,7 @@ impl Class<'_> {
     /// Marks all submissions.
     pub(super) fn mark(&self, submissions: &Path, threads: Option<u16>) -> Result<Count, String> {
         let handed_in = self.handed_in(submissions)?;
+        let _lock = Lock::of_class(self.out)?;
         let path = self.out.join("journal.jsonl");
         let students = self.marked(&handed_in, Part { number: 1, of: 1 }, &path, threads)?;
         let missing = self.missing(handed_in.ids());
@@ -85,6 +87,7 @@ impl Class<'_> {
         threads: Option<u16>,
     ) -> Result<Count, String> {
         let handed_in = self.handed_in(submissions)?;
+        let _lock = Lock::of_part(self.out, part)?;
         let path = self
             .out
             .join(format!("part-{}-of-{}.jsonl", part.number, part.of));
@@ -102,7 +105,9 @@ impl Class<'_> {
     /// Puts together what was marked in parts.
     pub(super) fn merge(&self) -> Result<Count, String> {
         let mut journals = vec![];
-        for path in parts(self.out)? {
+        let paths = parts(self.out)?;
+        let _lock = Lock::of_class(self.out)?;
+        for path in paths {
             let journal = Journal::open(&path, self.stamp(), self.key)
                 .map_err(|error| failed(&path, &error))?;
             if !journal.is_whole {
