@@ -391,11 +391,7 @@ impl<'a> Judge<'a> {
             }
         }
         self.note_if_not_taken_in(line, purpose, verdict, &held);
-        let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
-        let proof = proofs.split_first().map(|(first, rest)| {
-            rest.iter()
-                .fold((*first).clone(), |all, next| all.and(next))
-        });
+        let proof = proof_of_all(&held);
         let place = answers.iter().position(|a| *a == worst).unwrap_or(0);
         let chosen = held.into_iter().nth(place);
         let Some(chosen) = chosen else { return };
@@ -412,4 +408,11 @@ impl<'a> Judge<'a> {
             sides: chosen.sides,
         });
     }
+}
+
+/// The proof of all links.
+fn proof_of_all(held: &[Held]) -> Option<Proof> {
+    let mut proofs = held.iter().filter_map(|h| h.proof.as_ref());
+    let first = proofs.next()?.clone();
+    Some(proofs.fold(first, |all, next| all.and(next)))
 }

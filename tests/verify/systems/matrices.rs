@@ -269,3 +269,53 @@ $$ \mathbf w\times\mathbf J\mathbf w=\mathbf 0 $$
 ";
     assert_eq!(judged(sentences, text), "pprr");
 }
+
+/// Where no sentence says what a matrix is, its entries are those of what a line makes of it.
+#[test]
+fn letters_may_be_entries_of_a_matrix_that_a_line_tells() {
+    let sentences = r"
+N is an inertial frame.
+K is a frame fixed in the hull.
+D is the mass centre of the hull.
+$A_{ij}$ is entry (i, j) of $A$.
+$i$ and $j$ number the axes of K.
+";
+    let text = r"
+$$ A=\begin{pmatrix}1&2&3\\4&5&6\\7&8&9\end{pmatrix} $$
+$$ A_{12}=2 $$
+$$ A_{21}=2 $$
+";
+    assert_eq!(judged(sentences, text), "apr");
+}
+
+#[test]
+fn adjugates_and_cofactors_are_made_of_a_matrix() {
+    let sentences = r"
+$C$ is the adjugate of $A$.
+$F$ is the cofactor matrix of $A$.
+";
+    let text = r"
+$$ A=\begin{pmatrix}1&2&0\\0&5&6\\7&0&9\end{pmatrix} $$
+$$ A C=\det(A)\begin{pmatrix}1&0&0\\0&1&0\\0&0&1\end{pmatrix} $$
+$$ F=C^T $$
+$$ F=C $$
+";
+    assert_eq!(judged(sentences, text), "appr");
+}
+
+#[test]
+fn a_matrix_of_angles_may_be_written_as_a_function_of_their_column() {
+    let sentences = r"
+N is an inertial frame.
+B is a frame fixed in the body.
+$\phi$, $\theta$, $\psi$ are the Euler angles of B relative to N in the order 3, 2, 1.
+$\eta=(\phi,\theta,\psi)^T$.
+$R$ takes components on B to components on N.
+$v$ is any vector.
+";
+    let text = r"
+$$ R(\eta)^T R(\eta) = R^T R $$
+$$ R(\eta) = R^T $$
+";
+    assert_eq!(judged(sentences, text), "pr");
+}

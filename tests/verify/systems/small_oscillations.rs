@@ -47,3 +47,25 @@ $$ \omega=0 $$
 ";
     assert_eq!(judged(&sentences, text), "uu");
 }
+
+/// A line of the motion that is disturbed does not say that there are no disturbances.
+#[test]
+fn the_undisturbed_motion_leaves_disturbances_free() {
+    let sentences = r"
+N is an inertial frame.
+K is a frame fixed in the top.
+D is the mass centre of the top.
+$w$ is the angular velocity of K relative to N.
+$w_1$, $w_2$, $w_3$ are the components of $w$ on K.
+$w_{01}$, $w_{02}$, $w_{03}$ are the reference values of $w_1$, $w_2$, $w_3$, and $a_1$, $a_2$, $a_3$ their small disturbances.
+$A$, $A$, $C$ are the principal moments of the top about D on K.
+No moment acts on the top about D.
+Line 2 is given.
+";
+    let text = r"
+$$ w_1=w_{01} $$
+$$ C a_1=2 C a_1 $$
+$$ a_1=0 $$
+";
+    assert_eq!(super::judged(sentences, text), "arr");
+}
