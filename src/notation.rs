@@ -25,6 +25,7 @@ mod plain_words;
 pub mod print;
 mod seen_from;
 mod sentences;
+mod struck;
 mod token;
 mod told_marks;
 mod triads;
@@ -33,6 +34,7 @@ mod unicode;
 pub use alphabets::lookalike;
 pub use macros::Macros;
 pub use sentences::sentences;
+pub(crate) use struck::{Struck, struck};
 
 use crate::diagnostic::Diagnostic;
 use crate::source::{Source, Span};

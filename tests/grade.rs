@@ -11,6 +11,7 @@ mod grade {
     mod feedback;
     mod hostile;
     mod key;
+    mod meanings;
     mod outputs;
     mod period;
     mod platforms;
@@ -18,6 +19,7 @@ mod grade {
     mod runs;
     mod spread;
     mod submissions;
+    mod withdrawn;
     mod written;
 
     use polhode::grade::{Graded, Key, Work, mark};

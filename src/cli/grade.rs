@@ -18,7 +18,9 @@ mod class;
 mod folder;
 mod intake;
 mod journal;
+mod lock;
 mod names;
+mod neighbours;
 mod results;
 mod roster;
 mod telling;
@@ -37,6 +39,8 @@ The key is a derivation that says in its front matter what it means and what its
   follow_through: full      # full, half or none
   working: required         # required or optional
   shown: [\"(2)\"]            # milestones that need a line of their own
+  rounding: 0.5             # a student's sum is rounded to a multiple of this
+  most_rules: 2             # laws that a line may use at once which no line before it used; never fewer than the key's own
   polhode:
   - N is an inertial frame.
   ---
@@ -186,7 +190,7 @@ pub(super) fn run(options: &Options, color: ColorChoice) -> u8 {
         key: &key,
         key_text: &text,
         out,
-        telling: options.telling(),
+        telling: options.telling().and_those_in(out),
         naming: Naming::by(options.id_pattern.clone()),
         roster,
         answers: options.answers.clone(),

@@ -3,8 +3,9 @@
 use crate::diagnostic::Severity;
 use crate::grade::key::axes::named_axes;
 use crate::grade::key::groups::groups;
+use crate::grade::key::named_rules::new_rules;
 use crate::grade::key::refusal::{at, refusal};
-use crate::grade::key::routes::{Route, route};
+use crate::grade::key::routes::route;
 use crate::grade::matching::{self, Board};
 use crate::grade::meaning::Meaning;
 use crate::grade::policy::{Marks, Policy};
@@ -18,12 +19,17 @@ use num_traits::Zero;
 mod answered;
 mod axes;
 mod groups;
+mod letters;
+mod named_rules;
 mod refusal;
 mod routes;
 mod withheld;
 
+pub(super) use answered::QUANTITIES;
 pub use answered::{Difference, Told};
+pub(super) use named_rules::rules_of;
 pub use refusal::Refusal;
+pub(super) use routes::Route;
 
 /// A line of the key that carries marks.
 #[derive(Clone, Debug)]
@@ -73,6 +79,8 @@ pub struct Key {
     sheets: Vec<Vec<Sentence>>,
     /// What its lines take letters for that axes have the names of, in sentences.
     axes: Vec<String>,
+    /// How many rules each line uses that no line before it used.
+    pub(super) rules: Vec<usize>,
 }
 
 impl Key {
@@ -124,6 +132,7 @@ impl Key {
             policy,
             document,
             axes,
+            rules: new_rules(&report.findings),
         };
         wrong.extend(key.find_milestones(&report));
         if wrong.is_empty() {
@@ -325,7 +334,7 @@ fn said(document: &Document, finding: &Finding) -> Sentence {
 }
 
 /// Sentences on a sheet of their own.
-fn sheet(sentences: impl Iterator<Item = String>) -> Sheet {
+pub(super) fn sheet(sentences: impl Iterator<Item = String>) -> Sheet {
     let texts: Vec<String> = sentences.collect();
     let mut at = 0;
     let sentences = texts.iter().map(|text| {

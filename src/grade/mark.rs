@@ -6,6 +6,7 @@ use crate::grade::policy::{FollowThrough, Marks};
 use crate::grade::result::{Assumption, Graded, Line, Outcome, Reached, Slip};
 use crate::grade::rules::{Decision, Marker};
 use crate::grade::slip;
+use crate::source::Span;
 use std::collections::BTreeMap;
 
 /// Marks the work of one student.
@@ -43,6 +44,10 @@ pub fn mark(key: &Key, work: &Work) -> Graded {
         })
         .collect();
     let carried = carried(&mut markers, &paper);
+    let is_missing = |m: &Reached| m.outcome != Outcome::Full;
+    if milestones.iter().any(is_missing) {
+        troubles.extend(paper.remarks.doubts.iter().cloned());
+    }
     troubles.extend(waiting(&milestones));
     Graded {
         id: work.id.clone(),
@@ -53,6 +58,7 @@ pub fn mark(key: &Key, work: &Work) -> Graded {
         queue: joined(&troubles),
         lines: shown(&paper, &carried),
         questions: paper.questions.clone(),
+        notes: paper.remarks.notes.clone(),
     }
 }
 
@@ -87,6 +93,7 @@ fn unmarked(key: &Key, work: &Work, troubles: &[String], reason: &str, outcome: 
         queue: joined(&said),
         lines: vec![],
         questions: vec![],
+        notes: vec![],
     }
 }
 
@@ -148,9 +155,9 @@ fn reached(
     }
 }
 
-/// The wrong lines that only carry on an earlier one, or have its slip again. A line is wrong if it is so at every stage.
+/// The wrong lines that only carry on an earlier one, or have its slip again.
 fn carried(markers: &mut [Marker<'_>], paper: &Paper<'_>) -> BTreeMap<usize, bool> {
-    let wrong = (0..paper.lines.len()).filter(|&line| is_wrong(&paper.lines[line]));
+    let wrong = (0..paper.lines.len()).filter(|&line| paper.lines[line].is_wrong());
     let wrong: Vec<usize> = wrong.collect();
     let mut carried = BTreeMap::new();
     for line in wrong {
@@ -167,10 +174,6 @@ fn carried(markers: &mut [Marker<'_>], paper: &Paper<'_>) -> BTreeMap<usize, boo
         carried.insert(line, follows);
     }
     carried
-}
-
-fn is_wrong(line: &PaperLine) -> bool {
-    line.worth.iter().all(|worth| *worth == Worth::False)
 }
 
 fn first_slip(
@@ -211,16 +214,29 @@ fn assumptions(paper: &Paper<'_>) -> Vec<Assumption> {
     assumptions.collect()
 }
 
-/// The lines with their verdicts, at the stage that is kindest to each.
+/// The lines with their verdicts, at the stage that is kindest to each, and those that are not claimed.
 fn shown(paper: &Paper<'_>, carried: &BTreeMap<usize, bool>) -> Vec<Line> {
-    let lines = paper.lines.iter().enumerate().map(|(at, line)| {
+    let claimed = paper.lines.iter().enumerate().map(|(at, line)| {
         let mut shown = Line::of(line.kindest(), line.place.file.clone());
         shown.carried = carried.get(&at).copied().unwrap_or(false);
         if shown.carried {
             // What puts it right stands beside the line that it carries on.
             (shown.mistake, shown.repair) = (None, None);
         }
-        shown
+        ((line.document, line.found[0].span), shown)
     });
-    lines.collect()
+    let mut lines: Vec<((usize, Span), Line)> = claimed.collect();
+    for (at, (document, withdrawn)) in paper.documents.iter().zip(&paper.withdrawn).enumerate() {
+        let several = paper.documents.len() > 1;
+        let file = several.then(|| document.source.name.clone());
+        let own = withdrawn.lines.iter();
+        lines.extend(own.map(|&(span, why)| {
+            (
+                (at, span),
+                Line::withdrawn(document, span, file.clone(), why),
+            )
+        }));
+    }
+    lines.sort_by_key(|(place, _)| *place);
+    lines.into_iter().map(|(_, line)| line).collect()
 }

@@ -1,6 +1,6 @@
 //! Which line says what another line says, without any law.
 
-use crate::algebra::{Fraction, Variable};
+use crate::algebra::{Fraction, Polynomial, Variable};
 use crate::grade::meaning::{KeyLines, Meaning};
 use crate::grade::remembered::{Asked, Parts, Question, Remembered};
 use crate::notation::document::Document;
@@ -28,6 +28,8 @@ pub(super) struct Entry {
     pub(super) defines: bool,
     /// Whether it says that by letters of which nothing is told.
     pub(super) by_unknown: bool,
+    /// What the letters are that it defines, component by component.
+    pub(super) values: Arc<[Fraction]>,
     /// Its number among the lines of the class.
     pub(super) number: Option<usize>,
 }
@@ -41,6 +43,7 @@ impl Entry {
             ends: Arc::default(),
             defines: false,
             by_unknown: false,
+            values: Arc::default(),
             number: None,
         }
     }
@@ -101,6 +104,7 @@ impl Sheet<'_, '_> {
                 ends: Arc::default(),
                 defines: false,
                 by_unknown: false,
+                values: Arc::default(),
                 number: None,
             },
         });
@@ -282,6 +286,14 @@ impl<'a> Board<'a> {
         !parts.is_empty() && parts.iter().all(constant)
     }
 
+    /// Whether a line defines a letter to be what a goal says of another one.
+    pub(super) fn defines_as(&self, entry: &Entry, goal: &Part) -> bool {
+        let Some(head) = goal.head else { return false };
+        let head = Fraction::from(Polynomial::variable(head));
+        let mut values = entry.values.iter();
+        values.any(|value| Part::new(head.clone() - value.clone(), None).is_multiple_of(goal))
+    }
+
     /// Whether letters of which nothing is told stand in a line.
     pub(super) fn has_unknown(&self, entry: &Entry) -> bool {
         let parts = entry.components().iter();
@@ -305,6 +317,7 @@ fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
             ends,
             defines: false,
             by_unknown: false,
+            values: Arc::default(),
             number: Some(number),
         };
     }
@@ -321,6 +334,11 @@ fn known(apart: &mut Apart<'_>, said: &Said, remembered: &Remembered) -> Entry {
 fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
     let sides = said.sides.as_ref();
     let by_unknown = said.defines && sides.is_some_and(|sides| tells_unknown(apart, sides));
+    let values: Option<Arc<[Fraction]>> = match sides.filter(|_| said.defines) {
+        Some(sides) => sides.iter().map(|(left, _)| apart.normal(left)).collect(),
+        None => None,
+    };
+    let values = values.unwrap_or_default();
     let mut part = |(left, right): &(Fraction, Fraction)| {
         let residual = apart.normal(&(left.clone() - right.clone()))?;
         let head = [left, right]
@@ -337,6 +355,7 @@ fn entry(apart: &mut Apart<'_>, said: &Said) -> Entry {
         ends: said.ends.iter().filter_map(part).collect(),
         defines: said.defines,
         by_unknown,
+        values,
         number: None,
     }
 }

@@ -1,20 +1,25 @@
 //! The work of one student: its texts, its lines, and what each line is worth at each stage of the key.
 
-use crate::diagnostic::Severity;
 use crate::grade::key::Key;
-use crate::grade::lookalike::lookalike;
 use crate::grade::meaning::Meaning;
+use crate::grade::paper::judged::{Checked, at_stage, is_assumption};
 use crate::grade::paper::products::products;
+use crate::grade::paper::texts::Texts;
+use crate::grade::paper::withdrawn::Withdrawn;
 use crate::grade::result::Place;
-use crate::grade::size;
-use crate::notation::document::{Document, Format, FrontMatter, Item};
-use crate::notation::{self};
+use crate::notation::document::{Document, Format};
 use crate::source::Span;
-use crate::verify::{Finding, Report, Role, Verdict, Written, written_symbols};
+use crate::verify::{Finding, Verdict, Written, written_symbols};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+mod chains;
+mod denied;
+mod judged;
 mod products;
+mod texts;
+mod told;
+mod withdrawn;
 
 /// A text of a student.
 #[derive(Clone, Debug, PartialEq)]
@@ -91,13 +96,34 @@ pub(super) struct PaperLine {
 }
 
 impl PaperLine {
+    /// A line that may not be claimed is left open.
+    fn leave_open_if_unclear(&mut self, withdrawn: &Withdrawn) {
+        let own = self.found[0].span;
+        let within = |span: &Span| span.start <= own.start && own.end <= span.end;
+        let mut unclear = withdrawn.unclear.iter();
+        if let Some((_, why)) = unclear.find(|(span, _)| within(span)) {
+            self.worth.fill(Worth::Open);
+            for found in &mut self.found {
+                found.leave_open((*why).to_owned());
+            }
+        }
+    }
+
+    /// Whether it is false at some stage and never true: where less is given it may be open.
+    pub(super) fn is_wrong(&self) -> bool {
+        let mut worth = self.worth.iter();
+        let never = worth.all(|worth| matches!(worth, Worth::False | Worth::Open));
+        never && self.worth.contains(&Worth::False)
+    }
+
     /// What was found at the stage that is kindest to it; of those that find it wrong, one that can put it right.
     pub(super) fn kindest(&self) -> &Finding {
         let rank = |(worth, found): &(&Worth, &Finding)| match worth {
             Worth::True => 0,
             Worth::Resting => 1,
             Worth::Assumed | Worth::Defined => 2,
-            Worth::Open => 3,
+            Worth::Open if !self.is_wrong() => 3,
+            Worth::Open => 6,
             Worth::False if found.diagnosis.is_some() => 4,
             Worth::False => 5,
         };
@@ -122,42 +148,43 @@ pub(super) struct Paper<'k> {
     /// Why a person should look.
     pub(super) troubles: Vec<String>,
     pub(super) questions: Vec<(String, usize)>,
+    /// For each document, what the student does not claim.
+    pub(super) withdrawn: Vec<Withdrawn>,
+    pub(super) remarks: Remarks,
 }
 
-/// What was found of all documents at one stage.
-#[derive(Clone)]
-struct Checked {
-    reports: Vec<Report>,
-    /// With what is assumed taken as claimed; none where nothing is assumed.
-    claimed: Option<Vec<Report>>,
+/// What is said beside the marks.
+#[derive(Default)]
+pub(super) struct Remarks {
+    /// How the work was read where it was read in another way than the sheet says.
+    pub(super) notes: Vec<String>,
+    /// Why a person should look if marks are missing.
+    pub(super) doubts: Vec<String>,
 }
 
 impl<'k> Paper<'k> {
     /// Reads and checks the work of a student.
     pub(super) fn read(key: &'k Key, work: &Work) -> Self {
-        let mut troubles = work.troubles.clone();
-        let mut documents = vec![];
-        for text in &work.texts {
-            let (mut document, found) = notation::read(&text.name, &text.text, text.format);
-            let errors = found.iter().filter(|t| t.severity == Severity::Error);
-            for error in errors.take(1) {
-                let line = document.place(error.primary.span.start).line;
-                troubles.push(format!("line {line} is not read: {}", error.message));
-            }
-            if !document.front_matter.sentences.is_empty() && key.is_declared {
-                troubles.push("it declares meanings of its own, which were left out".to_owned());
-            }
-            troubles.extend(lookalike(&document));
-            give_no_orders(&mut document, &key.settings);
-            documents.push(document);
-        }
-        if let Some(excess) = size::excess(&documents) {
-            troubles.push(excess);
-            documents.clear();
-        }
-        let entries = products(key, &documents);
+        let Texts {
+            documents,
+            withdrawn,
+            mut told,
+            doubts,
+            mut troubles,
+            products: said,
+        } = texts::read(key, work);
+        let products = products(key, said.as_deref(), &documents);
+        let entries = products.entries;
+        let mut notes: Vec<String> = products.note.into_iter().collect();
+        notes.extend(
+            told.iter()
+                .map(|said| format!("taken as you say: {}", said.replace('$', "`"))),
+        );
+        // What staff answer rules what a student says.
+        told.extend(work.answers.iter().cloned());
+        let answers = told;
         let written: Vec<Written> = documents.iter().map(written_symbols).collect();
-        let meaning = meaning(key, entries, &work.answers);
+        let meaning = meaning(key, entries, &answers);
         let unclear = meaning.iter().flat_map(|own| &own.declared().misunderstood);
         if let Some(unclear) = unclear.take(1).next() {
             let why = &unclear.misread.message;
@@ -169,21 +196,28 @@ impl<'k> Paper<'k> {
                 Some(same) => each[same].clone(),
                 None => {
                     let read = (&documents[..], &written[..]);
-                    at_stage(key, number, entries, &meaning[number], work, read)
+                    at_stage(key, number, entries, &meaning[number], &answers, read)
                 }
             });
         }
         let spans = spans(&each, documents.len());
         let several = documents.len() > 1;
+        let questions = questions(&each);
+        let mut lines = lines(each, &documents, several);
+        lines.iter_mut().for_each(|line| {
+            line.leave_open_if_unclear(&withdrawn[line.document]);
+        });
         Self {
-            questions: questions(&each),
-            lines: lines(each, &documents, several),
+            questions,
+            lines,
             documents,
             written,
             spans,
             entries,
             meaning,
             troubles,
+            withdrawn,
+            remarks: Remarks { notes, doubts },
         }
     }
 
@@ -195,22 +229,6 @@ impl<'k> Paper<'k> {
     }
 }
 
-/// A submission sets nothing but how it writes; comments in it play no roles.
-fn give_no_orders(document: &mut Document, settings: &FrontMatter) {
-    let front = std::mem::take(&mut document.front_matter);
-    let mut symbols = settings.symbols.clone();
-    symbols.extend(front.symbols);
-    document.front_matter = FrontMatter {
-        products: front.products.or_else(|| settings.products.clone()),
-        axes: front.axes.or_else(|| settings.axes.clone()),
-        symbols,
-        ..FrontMatter::default()
-    };
-    document
-        .items
-        .retain(|item| !matches!(item, Item::Comment { .. }));
-}
-
 /// What a work means at each stage: by the key, and by what was answered.
 fn meaning<'k>(key: &'k Key, entries: bool, answers: &[String]) -> Vec<Cow<'k, Meaning>> {
     let stages = key.stages.iter().enumerate();
@@ -219,79 +237,6 @@ fn meaning<'k>(key: &'k Key, entries: bool, answers: &[String]) -> Vec<Cow<'k, M
         false => Cow::Owned(key.meaning(number, entries, answers)),
     });
     meaning.collect()
-}
-
-/// Checks all documents at a stage, and again with what they assume taken as claimed.
-fn at_stage(
-    key: &Key,
-    stage: usize,
-    entries: bool,
-    meaning: &Meaning,
-    work: &Work,
-    (documents, written): (&[Document], &[Written]),
-) -> Checked {
-    // With the most given, one change may put a line right.
-    let mut later = key.stages.iter().skip(stage + 1);
-    let is_last = later.all(|later| later.judged_as.is_some());
-    let each = || documents.iter().zip(written);
-    let reports = each().map(|(document, written)| match is_last {
-        true => meaning.check(document, written),
-        false => meaning.judge(document, written),
-    });
-    let reports: Vec<Report> = reports.collect();
-    let assumes = |report: &Report| report.findings.iter().any(is_assumption);
-    if !reports.iter().any(assumes) {
-        return Checked {
-            reports,
-            claimed: None,
-        };
-    }
-    let claimed = each().zip(&reports).map(|((document, written), report)| {
-        let assumed: Vec<&Finding> = report
-            .findings
-            .iter()
-            .filter(|f| is_assumption(f))
-            .collect();
-        match (key.is_declared, work.answers.is_empty()) {
-            (false, _) => return meaning.judge(&with_claims(document, &assumed), written),
-            (true, true) => return meaning.judge_as_claimed(document, written, &assumed),
-            // What was answered may say what a line is for, and then counts.
-            (true, false) => {}
-        }
-        let roles = assumed.iter().map(|f| match f.cell {
-            Some(cell) => format!("Line {} of cell {cell} is a claim.", f.source_line),
-            None => format!("Line {} is a claim.", f.source_line),
-        });
-        let roles: Vec<String> = roles.chain(work.answers.iter().cloned()).collect();
-        key.meaning(stage, entries, &roles).judge(document, written)
-    });
-    let claimed = Some(claimed.collect());
-    Checked { reports, claimed }
-}
-
-fn is_assumption(finding: &Finding) -> bool {
-    finding.verdict == Verdict::Accepted && matches!(finding.role, Role::Assume | Role::Given)
-}
-
-/// A document in which comments say that these lines are claimed.
-fn with_claims(document: &Document, lines: &[&Finding]) -> Document {
-    let mut claimed = document.clone();
-    claimed.items.clear();
-    for item in &document.items {
-        if let Item::Formula(formula) = item {
-            let inside = |f: &&&Finding| {
-                formula.span.start <= f.span.start && f.span.end <= formula.span.end
-            };
-            if lines.iter().any(|f| inside(&f)) {
-                claimed.items.push(Item::Comment {
-                    text: "claim".to_owned(),
-                    span: formula.span.before(),
-                });
-            }
-        }
-        claimed.items.push(item.clone());
-    }
-    claimed
 }
 
 fn spans(each: &[Checked], documents: usize) -> Vec<Vec<Span>> {

@@ -108,6 +108,7 @@ impl Policy {
             let value = front.other.get(name);
             value.map(|v| v.as_str().unwrap_or("").trim().to_owned())
         };
+        wrong.extend(front.other.keys().filter_map(|name| unknown(name)));
         policy.read_marks(setting("marks"), &mut wrong);
         match word("follow_through").as_deref() {
             None | Some("full") => {}
@@ -169,6 +170,76 @@ impl Policy {
         let sum: Marks = marks.sum();
         self.rounding.map_or(sum, |step| sum.rounded_to(step))
     }
+}
+
+/// What the front matter of a key may set.
+const SETTINGS: [&str; 10] = [
+    "marks",
+    "follow_through",
+    "working",
+    "shown",
+    "rounding",
+    "most_rules",
+    "products",
+    "axes",
+    "symbols",
+    "polhode",
+];
+
+/// What other programs read there.
+const ABOUT: [&str; 34] = [
+    "id",
+    "title",
+    "subtitle",
+    "author",
+    "authors",
+    "date",
+    "lang",
+    "language",
+    "abstract",
+    "keywords",
+    "tags",
+    "categories",
+    "subject",
+    "description",
+    "course",
+    "institute",
+    "layout",
+    "output",
+    "format",
+    "documentclass",
+    "classoption",
+    "geometry",
+    "fontsize",
+    "papersize",
+    "header-includes",
+    "bibliography",
+    "csl",
+    "toc",
+    "number-sections",
+    "numbersections",
+    "jupyter",
+    "jupytext",
+    "kernelspec",
+    "license",
+];
+
+/// What to say of a name that sets nothing.
+fn unknown(name: &str) -> Option<String> {
+    if SETTINGS.contains(&name) || ABOUT.contains(&name) {
+        return None;
+    }
+    let near = SETTINGS
+        .iter()
+        .map(|known| (strsim::jaro_winkler(known, name), known));
+    let near = near.max_by(|a, b| a.0.total_cmp(&b.0));
+    Some(match near.filter(|(likeness, _)| *likeness > 0.8) {
+        Some((_, known)) => format!("`{name}` is no setting of a key; did you mean `{known}`?"),
+        None => format!(
+            "`{name}` is no setting of a key; the settings are {}",
+            SETTINGS.join(", ")
+        ),
+    })
 }
 
 /// A list of labels.

@@ -1,6 +1,8 @@
 //! What is said of the work of one student.
 
 use crate::grade::policy::Marks;
+use crate::notation::document::Document;
+use crate::source::Span;
 use crate::verify::{Counterexample, Finding, Verdict};
 use serde::{Deserialize, Serialize};
 
@@ -124,7 +126,7 @@ pub struct Line {
     pub place: Place,
     /// As written.
     pub source: String,
-    /// `proved`, `refuted`, `accepted`, `undecided`, `unreadable`.
+    /// `proved`, `refuted`, `accepted`, `undecided`, `unreadable`, `withdrawn`.
     pub verdict: String,
     /// Why, where there is something to say.
     pub reason: Option<String>,
@@ -159,6 +161,30 @@ impl Line {
             carried: finding.follows_from.is_some(),
         }
     }
+
+    /// A line of a document that its author does not claim, with why.
+    pub(super) fn withdrawn(
+        document: &Document,
+        span: Span,
+        file: Option<String>,
+        why: &str,
+    ) -> Self {
+        let place = document.place_of_row(span.start);
+        Self {
+            place: Place {
+                file,
+                cell: place.cell,
+                source_line: place.line,
+            },
+            source: document.source.slice(span).to_owned(),
+            verdict: "withdrawn".to_owned(),
+            reason: Some(why.to_owned()),
+            mistake: None,
+            repair: None,
+            counterexample: None,
+            carried: false,
+        }
+    }
 }
 
 /// The work of one student, marked.
@@ -180,4 +206,7 @@ pub struct Graded {
     pub lines: Vec<Line>,
     /// Letters that nothing tells of, as questions, each with the number of lines that wait.
     pub questions: Vec<(String, usize)>,
+    /// How the work was read where it was read in another way than the sheet says.
+    #[serde(default)]
+    pub notes: Vec<String>,
 }

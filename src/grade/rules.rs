@@ -11,6 +11,7 @@ use std::ops::Range;
 
 mod carried;
 mod doubts;
+mod own_way;
 mod working;
 
 /// More wrong attempts at one milestone are no working.

@@ -7,13 +7,15 @@ use crate::source::Span;
 use serde_json::{Map, Value};
 
 /// Keys that a LaTeX comment may set, beside `symbol NAME`; any other comment is a sentence.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 9] = [
     "products",
     "axes",
     "marks",
     "follow_through",
     "working",
     "shown",
+    "rounding",
+    "most_rules",
     "id",
 ];
 

@@ -70,6 +70,7 @@ pub fn student(key: &Key, told: &Graded) -> serde_json::Result<String> {
                 .map(|_| "a person will look at this work"),
             ..StudentForm::of(told)
         },
+        notes: &told.notes,
         lines: told.lines.iter().map(LineForm::of).collect(),
     };
     serde_json::to_string_pretty(&form).map(|text| text + "\n")
@@ -81,6 +82,7 @@ struct ToldForm<'a> {
     max: Shortest,
     #[serde(flatten)]
     student: StudentForm<'a>,
+    notes: &'a [String],
     lines: Vec<LineForm<'a>>,
 }
 

@@ -60,6 +60,7 @@ pub(super) fn verdict(line: &Line) -> &'static str {
         "refuted" if line.carried => "does not hold, and only carries on an earlier slip",
         "refuted" => "does not hold",
         "unreadable" => "could not be read",
+        "withdrawn" => "is not counted",
         _ => "was not decided",
     }
 }
@@ -69,6 +70,7 @@ pub(super) fn line(line: &Line) -> Markup {
     let class = match line.verdict.as_str() {
         "proved" | "accepted" => "line good",
         "refuted" => "line bad",
+        "withdrawn" => "line",
         _ => "line wait",
     };
     html! {

@@ -162,3 +162,33 @@ fn a_key_is_checked_alone() {
     assert_eq!(output.status.code(), Some(0));
     assert!(String::from_utf8_lossy(&output.stdout).contains("(5): 2"));
 }
+
+#[test]
+fn results_do_not_lie_among_the_submissions() {
+    let folder = class(&[("ada.md", b"nothing")]);
+    let path = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+    for out in ["work", "work/out", "work/../work/a/b"] {
+        let output = polhode(&["grade", &path("key.md"), &path("work"), "--out", &path(out)]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{out}: {said}");
+        assert!(said.contains("--out"), "{said}");
+    }
+    assert!(!folder.path().join("work/journal.jsonl").exists());
+}
+
+#[test]
+fn an_answer_for_nobody_is_said() {
+    let folder = class(&[("ada.md", b"nothing"), ("ben.md", b"nothing")]);
+    let answers = folder.path().join("answers");
+    fs::create_dir(&answers).expect("made");
+    for name in ["adda", "ben", "quentin"] {
+        fs::write(answers.join(format!("{name}.txt")), "# none\n").expect("written");
+    }
+    let answers = answers.to_string_lossy().into_owned();
+    let (_, said) = grade(folder.path(), &["--answers", &answers]);
+    assert!(said.contains("did you mean ada.txt?"), "{said}");
+    assert!(
+        said.contains("quentin.txt: nobody") && !said.contains("ben.txt: nobody"),
+        "{said}"
+    );
+}

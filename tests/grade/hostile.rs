@@ -91,7 +91,7 @@ fn cost(name: &str, text: &[u8]) -> (u64, f64) {
 }
 
 /// Texts that ask for more than is worked out.
-pub(super) fn too_much() -> [(&'static str, Vec<u8>); 9] {
+pub(super) fn too_much() -> [(&'static str, Vec<u8>); 12] {
     let sum = |n: usize| {
         (0..n)
             .map(|k| format!("a_{{{k}}}"))
@@ -113,7 +113,25 @@ pub(super) fn too_much() -> [(&'static str, Vec<u8>); 9] {
         "$$M_x = {}$$",
         "\\begin{bmatrix}1&2&3\\\\4&5&6\\\\7&8&9\\end{bmatrix}".repeat(300)
     );
+    let squares = (0..390).map(|k| format!("$$a_{{{}}} = a_{{{k}}}^2 + a_{{{k}}}$$\n\n", k + 1));
+    let squares = format!(
+        "Let $$a_0 = \\omega_x + \\omega_y$$\n\n{}",
+        squares.collect::<String>()
+    );
+    let sums = (1..390).map(|k| {
+        let (next, before) = (k + 1, k - 1);
+        format!("$$a_{{{next}}} = 2a_{{{k}}} + \\omega_z a_{{{before}}}$$\n\n")
+    });
+    let sums = sums.collect::<String>();
+    let roots = format!(
+        "$$M_x = \\frac{{d}}{{dt}}{}\\omega_x{}$$",
+        "\\sqrt{1+".repeat(30),
+        "}".repeat(30)
+    );
     [
+        ("squares.md", squares.into_bytes()),
+        ("sums.md", sums.into_bytes()),
+        ("roots.md", roots.into_bytes()),
         ("powers.md", powers.collect::<String>().into_bytes()),
         ("products.md", products.collect::<String>().into_bytes()),
         ("fractions.md", nested.into_bytes()),

@@ -172,3 +172,20 @@ fn a_key_may_ask_for_what_its_sentences_tell() {
         assert_eq!(marked_by(&text, other).marks.to_string(), "0", "{other}");
     }
 }
+
+#[test]
+fn a_setting_that_is_not_known_is_refused_with_what_is_near() {
+    for (setting, why) in [
+        ("follow_trough: half", "did you mean `follow_through`?"),
+        ("round: 0.5", "did you mean `rounding`?"),
+        ("colour: red", "the settings are marks, follow_through"),
+    ] {
+        let said = refused(&KEY.replacen("working:", &format!("{setting}\nworking:"), 1));
+        assert!(said.contains(why), "{setting}: {said}");
+    }
+    // What other programs read there is none of its business.
+    let titled = KEY.replacen("working:", "title: The rotor\nauthor: A. B.\nworking:", 1);
+    assert_eq!(refused(&titled), "");
+    let latex = "% polhode: follow_trough: half\n\\begin{document}$$a = a$$\\end{document}";
+    assert!(Key::read("key.tex", latex, Format::Latex).is_err());
+}

@@ -138,6 +138,57 @@ fn feedback_may_be_held_back() {
 }
 
 #[test]
+fn what_an_earlier_run_told_does_not_stand_beside_less() {
+    let folder = example_class();
+    let out = folder.path().join("out");
+    let books = "moodle,gradescope,prairielearn,coderunner";
+    let all = ["--feedback-format", "html,md,json", "--gradebook", books];
+    grade(folder.path(), &all);
+    let tells = |files: &BTreeMap<String, String>| {
+        let mut texts = files.iter().filter(|(name, _)| {
+            !["journal.jsonl", "results.json", "class.html"].contains(&name.as_str())
+        });
+        texts.any(|(_, text)| text.contains("sign is wrong") || text.contains("is refuted"))
+    };
+    assert!(tells(&tree(&out)));
+    let before = tree(&out).into_keys().collect::<Vec<_>>();
+    fs::write(out.join("feedback/zoe.html"), "of last year").expect("written");
+    let (_, said) = grade(folder.path(), &["--feedback", "marks"]);
+    assert!(said.contains("zoe"), "{said}");
+    fs::remove_file(out.join("feedback/zoe.html")).expect("removed");
+    assert_eq!(tree(&out).into_keys().collect::<Vec<_>>(), before);
+    assert!(!tells(&tree(&out)));
+    // Why work waits may tell what is wrong in it.
+    let waits = &tree(&out)["prairielearn/%3D1+1%253Cb%253E/results/results.json"];
+    assert!(
+        waits.contains("\"a person will look at this work\""),
+        "{waits}"
+    );
+}
+
+#[test]
+fn work_that_waits_has_no_points_yet() {
+    let folder = example_class();
+    grade(folder.path(), &["--gradebook", "points,coderunner"]);
+    let files = tree(&folder.path().join("out"));
+    let name = "%3D1+1%253Cb%253E";
+    assert!(
+        !files.contains_key(&format!("points/{name}.txt")),
+        "{:?}",
+        files.keys()
+    );
+    assert!(files[&format!("points/{name}.waits")].contains("no points yet"));
+    let said = &files[&format!("coderunner/{name}.json")];
+    assert!(said.contains("A person will look at this work"), "{said}");
+    assert!(!files["coderunner/ben.json"].contains("prologuehtml"));
+    // When it has some, that file goes.
+    fs::write(folder.path().join("work/ben.md"), "nothing").expect("written");
+    grade(folder.path(), &["--gradebook", "points"]);
+    let files = tree(&folder.path().join("out"));
+    assert!(!files.contains_key("points/ben.txt") && files.contains_key("points/ben.waits"));
+}
+
+#[test]
 fn parts_put_together_are_the_whole() {
     let (whole, cut) = (example_class(), example_class());
     assert_eq!(grade(whole.path(), &[ALL]).0, 3);
@@ -162,17 +213,28 @@ fn a_run_that_was_stopped_goes_on() {
     assert_eq!(grade(folder.path(), &["--shard", "1/1"]).0, 3);
     let out = folder.path().join("out");
     let journal = fs::read_to_string(out.join("part-1-of-1.jsonl")).expect("a journal");
-    // As if it had been killed in the middle of the third entry behind what the key said; the first is told from a new one
-    // by its marks.
-    let mut lines: Vec<String> = journal.lines().map(str::to_owned).collect();
-    lines[1] = lines[1].replacen("\"queue\":", "\"queue\":\"kept\",\"unused\":", 1);
+    let pages = || tree(&out.join("feedback"));
+    let times = || {
+        let pages = pages().into_keys().map(|page| {
+            let found = fs::metadata(out.join("feedback").join(&page));
+            (
+                page,
+                found.and_then(|found| found.modified()).expect("a time"),
+            )
+        });
+        pages.collect::<Vec<_>>()
+    };
+    let before = times();
+    // As if it had been killed in the middle of the third entry behind what the key said.
+    let lines: Vec<&str> = journal.lines().collect();
     let cut = &lines[3][..lines[3].len() / 2];
     let whole = lines[..3].join("\n");
     fs::write(out.join("journal.jsonl"), format!("{whole}\n{cut}")).expect("written");
     assert_eq!(grade(folder.path(), &[]).0, 3);
     let results = results(folder.path());
     assert_eq!(results.matches("\"id\"").count(), 4, "{results}");
-    assert_eq!(results.matches("\"kept\"").count(), 1, "{results}");
+    let kept = before.iter().zip(times()).filter(|(a, b)| **a == *b);
+    assert_eq!(kept.count(), 2, "the first two are not marked again");
     let journal = fs::read_to_string(out.join("journal.jsonl")).expect("a journal");
     assert_eq!(journal.lines().count(), 5);
 }

@@ -69,9 +69,99 @@ fn a_slip_in_the_law_itself_is_carried_on() {
     let graded = marked(&text);
     assert_eq!(
         outcomes(&graded),
-        ["none", "none", "full", "follow-through"],
+        ["none", "follow-through", "full", "follow-through"],
         "{graded:?}"
     );
+    // Who copies the right component has not carried it on.
+    let copied = text.replacen(
+        "- \\omega_y L_z + \\omega_z L_y",
+        "+ \\omega_y L_z - \\omega_z L_y",
+        1,
+    );
+    let graded = marked(&copied);
+    assert_eq!(outcomes(&graded)[..2], ["human", "human"], "{graded:?}");
+}
+
+/// A particle on a line of turning axes: its velocity, and what follows from that by a law.
+const ON_A_LINE: &str = r#"---
+marks: {"(1)": 2, "(2)": 3}
+polhode:
+- N is an inertial frame.
+- The dot means the rate seen from N.
+- O is a point fixed in N.
+- B is a frame that turns relative to N about z at the rate $\Omega$.
+- k is the axis z of N.
+- $\Omega$ is constant.
+- P is a particle of mass $m$.
+- P is placed from O by $x\vec i$.
+- $\vec i$, $\vec j$, $\vec k$ are the axes of B.
+- $\vec v$ is the velocity of P relative to N.
+- $\vec a$ is the acceleration of P relative to N.
+---
+The velocity is
+$$\vec v = \dot x\vec i + \Omega x\vec j \tag{1}$$
+and the acceleration
+$$\vec a = (\ddot x - \Omega^2 x)\vec i + 2\Omega\dot x\vec j \tag{2}$$
+"#;
+
+#[test]
+fn a_slip_is_carried_into_a_milestone_that_laws_give_without_it() {
+    let wrong = r"$$\vec v = \dot x\vec i + 2\Omega x\vec j$$";
+    // The key says the step between, as its author is told to.
+    let step = "so that $$\\vec a = \\dot{\\vec v}$$\nand the acceleration";
+    let key = ON_A_LINE.replacen("and the acceleration", step, 1);
+    for middle in ["", r"\dot{\vec v} = ", r"\frac{d\vec v}{dt} = "] {
+        let marked =
+            |side: &str| marked_by(&key, &format!("{wrong}\n\nSo $$\\vec a = {middle}{side}$$"));
+        let graded = marked(r"(\ddot x - 2\Omega^2 x)\vec i + 3\Omega\dot x\vec j");
+        assert_eq!(
+            outcomes(&graded),
+            ["none", "follow-through"],
+            "{middle}: {graded:?}"
+        );
+        let graded = marked(r"(\ddot x - \Omega^2 x)\vec i + 2\Omega\dot x\vec j");
+        assert_ne!(outcomes(&graded)[1], "full", "{middle}: {graded:?}");
+        let graded = marked(r"(\ddot x - 2\Omega^2 x)\vec i + 4\Omega\dot x\vec j");
+        assert_eq!(outcomes(&graded), ["none", "none"], "{middle}: {graded:?}");
+    }
+}
+
+#[test]
+fn each_member_of_a_chain_is_a_line() {
+    let answer = ANSWER
+        .trim()
+        .trim_start_matches("So $$M_x = ")
+        .trim_end_matches("$$");
+    let middle = r"\dot L_x + \omega_y L_z - \omega_z L_y";
+    let chain = |answer: &str| format!("{MOMENTUM}$$M_x = {middle} = {answer}$$");
+    let graded = marked(&chain(answer));
+    assert_eq!(outcomes(&graded)[1..], ["full"; 3], "{graded:?}");
+    // A wrong end does not take the middle away, nor the other way round.
+    let wrong = chain(&answer.replacen("(I_{zz} - ", "(I_{zz} + ", 1));
+    assert_eq!(
+        outcomes(&marked(&wrong))[1..],
+        ["full", "full", "none"],
+        "{wrong}"
+    );
+    let wrong = chain(answer).replacen("+ \\omega_y L_z", "- \\omega_y L_z", 1);
+    assert_eq!(outcomes(&marked(&wrong))[1], "none", "{wrong}");
+}
+
+#[test]
+fn working_is_more_than_one_line_on_the_way() {
+    let part = "$$L_x = I_{xx}\\omega_x - I_{xz}\\omega_z$$\n\n";
+    for text in [
+        format!("{LAW}{COMPONENT}{part}{ANSWER}"),
+        format!("{LAW}{ANSWER}"),
+        format!("{COMPONENT}{ANSWER}"),
+    ] {
+        let graded = marked(&text);
+        assert_eq!(outcomes(&graded)[3], "human", "{text}: {graded:?}");
+        assert!(
+            reason(&graded, "(5)").contains("no line gives all of (4)"),
+            "{graded:?}"
+        );
+    }
 }
 
 #[test]
@@ -444,7 +534,8 @@ fn a_line_may_use_no_more_rules_at_once_than_the_key_allows() {
         reason(&graded, "(5)").contains("rules at once"),
         "{graded:?}"
     );
-    let key = key.replacen("most_rules: 0", "most_rules: 2", 1);
+    // The key's own line on the law uses two: no more is asked of others.
+    let key = key.replacen("most_rules: 0", "most_rules: 1", 1);
     let graded = marked_by(&key, &format!("{LAW}{COMPONENT}{MOMENTUM}{ANSWER}"));
     assert_eq!(outcomes(&graded), ["full"; 4], "{graded:?}");
 }

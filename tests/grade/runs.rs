@@ -234,3 +234,53 @@ fn an_answer_in_the_key_marks_anew_only_what_it_touches() {
         }
     }
 }
+
+#[test]
+fn a_line_of_the_journal_that_was_changed_does_not_count() {
+    let folder = many(3);
+    assert_eq!(grade(folder.path(), &[]).0, 0);
+    let (right, whole) = (results(folder.path()), journal(folder.path()));
+    let lines: Vec<&str> = whole.lines().collect();
+    // Ben has five marks; what another run wrote into his line is JSON all the same.
+    let other = lines[2].replacen("\"marks\":5.0", "\"marks\":8.0", 1);
+    let other = match other == lines[2] {
+        true => lines[2].replacen("\"marks\":5000", "\"marks\":8000", 1),
+        false => other,
+    };
+    assert_ne!(other, lines[2]);
+    let spliced = format!("{}\n{}\n{other}\n{}\n", lines[0], lines[1], lines[3]);
+    fs::write(folder.path().join("out/journal.jsonl"), spliced).expect("written");
+    assert_eq!(grade(folder.path(), &[]).0, 0);
+    assert_eq!(results(folder.path()), right);
+    assert_eq!(journal(folder.path()), whole);
+}
+
+#[test]
+fn two_runs_at_once_do_not_write_into_one_folder() {
+    let folder = many(2);
+    let out = folder.path().join("out");
+    fs::create_dir(&out).expect("made");
+    let lock = fs::File::create(out.join(".lock")).expect("made");
+    lock.lock().expect("held");
+    for more in [&[][..], &["--shard", "1/2"]] {
+        let (code, said) = grade(folder.path(), more);
+        assert_eq!(code, 2, "{said}");
+        assert!(
+            said.contains("another run") && said.contains("--out"),
+            "{said}"
+        );
+        assert!(journal(folder.path()).is_empty());
+    }
+    // Parts go on beside each other, and none beside itself.
+    lock.unlock().expect("free");
+    lock.lock_shared().expect("held");
+    let own = fs::File::create(out.join("part-1-of-2.lock")).expect("made");
+    own.lock().expect("held");
+    assert_eq!(grade(folder.path(), &["--shard", "1/2"]).0, 2);
+    assert_eq!(grade(folder.path(), &["--shard", "2/2"]).0, 0);
+    assert_eq!(super::command::merge(folder.path(), &[]).0, 2);
+    // What a killed run leaves is held by nobody.
+    drop((lock, own));
+    assert_eq!(grade(folder.path(), &["--shard", "1/2"]).0, 0);
+    assert_eq!(super::command::merge(folder.path(), &[]).0, 0);
+}

@@ -2,7 +2,9 @@
 
 use crate::cli::grade::folder::{HandedIn, Pending};
 use crate::cli::grade::journal::{self, Journal, Place, Students, digest, parts};
+use crate::cli::grade::lock::Lock;
 use crate::cli::grade::names::{Naming, file_stem};
+use crate::cli::grade::neighbours;
 use crate::cli::grade::roster::Roster;
 use crate::cli::grade::telling::Telling;
 use crate::cli::{input, output};
@@ -70,9 +72,11 @@ impl Class<'_> {
     /// Marks all submissions.
     pub(super) fn mark(&self, submissions: &Path, threads: Option<u16>) -> Result<Count, String> {
         let handed_in = self.handed_in(submissions)?;
+        let _lock = Lock::of_class(self.out)?;
         let path = self.out.join("journal.jsonl");
         let students = self.marked(&handed_in, Part { number: 1, of: 1 }, &path, threads)?;
         let missing = self.missing(handed_in.ids());
+        neighbours::warn_of_pages(self.out, handed_in.ids());
         drop(handed_in);
         self.finish(&students, missing.as_deref())
     }
@@ -85,6 +89,7 @@ impl Class<'_> {
         threads: Option<u16>,
     ) -> Result<Count, String> {
         let handed_in = self.handed_in(submissions)?;
+        let _lock = Lock::of_part(self.out, part)?;
         let path = self
             .out
             .join(format!("part-{}-of-{}.jsonl", part.number, part.of));
@@ -102,7 +107,9 @@ impl Class<'_> {
     /// Puts together what was marked in parts.
     pub(super) fn merge(&self) -> Result<Count, String> {
         let mut journals = vec![];
-        for path in parts(self.out)? {
+        let paths = parts(self.out)?;
+        let _lock = Lock::of_class(self.out)?;
+        for path in paths {
             let journal = Journal::open(&path, self.stamp(), self.key)
                 .map_err(|error| failed(&path, &error))?;
             if !journal.is_whole {
@@ -114,17 +121,22 @@ impl Class<'_> {
             journals.push(journal);
         }
         let (students, ids) = Students::of_parts(journals.into_iter(), self.out)?;
+        neighbours::warn_of_pages(self.out, ids.iter().cloned());
         let missing = self.missing(ids.into_iter());
         self.finish(&students, missing.as_deref())
     }
 
     fn handed_in(&self, submissions: &Path) -> Result<HandedIn<'_>, String> {
+        neighbours::refuse_same(submissions, self.out)?;
         let found = HandedIn::find(submissions, &self.naming);
         let found = found.map_err(|error| failed(submissions, &error))?;
         if found.len() == 0 {
             return Err(failed(submissions, &"there is nothing in it to mark"));
         }
         fs::create_dir_all(self.out).map_err(|error| failed(self.out, &error))?;
+        if let Some(answers) = &self.answers {
+            neighbours::warn_of_answers(answers, found.ids());
+        }
         Ok(found)
     }
 
@@ -236,6 +248,10 @@ impl Marking<'_> {
             return keep(&graded);
         }
         let graded = marked(key, &one.id, work);
+        for path in self.telling.outdated(&graded) {
+            // It is there only where another run wrote it.
+            let _ = fs::remove_file(self.out.join(path));
+        }
         for file in self.telling.files(key, &graded) {
             write(
                 &self.out.join(&file.path),

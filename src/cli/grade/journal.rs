@@ -1,6 +1,7 @@
 //! What was marked so far: one line for each student, so that a run that was stopped goes on where it was, and so that
 //! another run marks only what changed. Before the students stands what the key said by which they were marked: where it
-//! only tells of more letters now, those keep their marks who write none of them.
+//! only tells of more letters now, those keep their marks who write none of them. Each line ends with its own digest: one
+//! that was cut off, or into which another was written, does not count.
 
 use crate::cli::output;
 use crate::grade::{Difference, Graded, Key, Told, Work};
@@ -86,14 +87,18 @@ impl Lines {
     }
 
     fn graded(&mut self, at: Place) -> io::Result<Graded> {
-        let entry: Entry<Graded> = serde_json::from_slice(&self.read(at)?)?;
+        let line = self.read(at)?;
+        let line = whole(&line).ok_or_else(|| {
+            io::Error::other("a line of the journal was changed by another program; mark again")
+        })?;
+        let entry: Entry<Graded> = serde_json::from_slice(line)?;
         Ok(entry.graded)
     }
 }
 
 impl Journal {
-    /// Opens a journal or begins one. Entries of a key that differs in more than letters, and a last one that was cut off,
-    /// are left out.
+    /// Opens a journal or begins one. Entries of a key that differs in more than letters, and those that are not as they were
+    /// written, are left out.
     pub(super) fn open(path: &Path, stamp: u64, key: &Key) -> io::Result<Self> {
         let mut file = opened(path)?;
         let head = key.told().map(|told| line_of(&Head { stamp, told }));
@@ -108,21 +113,24 @@ impl Journal {
             head: head.transpose()?.map(|line| (line, false)),
             is_whole: false,
         };
-        let (mut differences, mut whole) = (HashMap::new(), 0);
+        let (mut differences, mut end) = (HashMap::new(), 0);
         let mut reader = BufReader::new(&file);
         let mut line = vec![];
         while reader.read_until(b'\n', &mut line)? > 0 && line.ends_with(b"\n") {
             let place = Place {
-                start: whole,
+                start: end,
                 length: line.len(),
             };
-            whole += line.len() as u64;
-            found.take_line(&line, place, key, &mut differences);
+            end += line.len() as u64;
+            match whole(&line) {
+                Some(line) => found.take_line(line, place, key, &mut differences),
+                None => found.is_whole = false,
+            }
             line.clear();
         }
-        file.set_len(whole)?;
+        file.set_len(end)?;
         file.seek(SeekFrom::End(0))?;
-        found.file = Mutex::new(Lines { file, end: whole });
+        found.file = Mutex::new(Lines { file, end });
         Ok(found)
     }
 
@@ -303,11 +311,26 @@ impl Students {
     }
 }
 
-/// One line of a journal.
+/// One line of a journal: the object with its digest.
 fn line_of(entry: &impl Serialize) -> io::Result<String> {
-    serde_json::to_string(entry)
-        .map_err(io::Error::other)
-        .map(|line| line + "\n")
+    let mut line = serde_json::to_string(entry).map_err(io::Error::other)?;
+    line.truncate(line.len().saturating_sub(1));
+    let end = end_of(line.as_bytes());
+    Ok(line + &end + "\n")
+}
+
+/// What ends a line that begins so: the digest of this beginning.
+fn end_of(beginning: &[u8]) -> String {
+    format!(",\"sum\":\"{:016x}\"}}", digest(std::iter::once(beginning)))
+}
+
+/// A line without its line break, if it is as it was written.
+fn whole(line: &[u8]) -> Option<&[u8]> {
+    /// The bytes of what [`end_of`] gives.
+    const END: usize = 26;
+    let line = line.strip_suffix(b"\n")?;
+    let (beginning, end) = line.split_at_checked(line.len().checked_sub(END)?)?;
+    (end == end_of(beginning).as_bytes()).then_some(line)
 }
 
 /// Puts a journal with these students alone in the place of one: the same whatever the order was in which they were marked.

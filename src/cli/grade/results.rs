@@ -2,6 +2,7 @@
 
 use crate::cli::grade::class::{Class, Count, failed};
 use crate::cli::grade::journal::Students;
+use crate::cli::grade::neighbours;
 use crate::cli::output::Replacement;
 use crate::cli::{input, output};
 use crate::grade::{Graded, Key};
@@ -54,8 +55,9 @@ impl Class<'_> {
             class::page(self.key, &tally, student, missing.unwrap_or(&[]), file)
         });
         written.map_err(|error| failed(&page, &error))?;
-        if let Some(path) = &self.worksheet {
-            self.fill(path, students)?;
+        match &self.worksheet {
+            Some(path) => self.fill(path, students)?,
+            None => neighbours::warn_of_worksheet(self.out),
         }
         // Where the results stand, all else does.
         results.finish().map_err(|error| failed(&path, &error))?;

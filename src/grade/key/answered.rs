@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
 /// What a letter may be said to be without a word on how things move or what acts on them.
-const QUANTITIES: [&str; 11] = [
+pub(in crate::grade) const QUANTITIES: [&str; 11] = [
     "angular velocity",
     "angular acceleration",
     "angular momentum",

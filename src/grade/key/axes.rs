@@ -89,7 +89,7 @@ fn letter(name: &str, (vector, hat): (bool, bool)) -> Node {
 }
 
 /// Whether a sentence speaks of a letter.
-fn is_told(declared: &Declared, letter: &Node) -> bool {
+pub(super) fn is_told(declared: &Declared, letter: &Node) -> bool {
     let mut all = declared
         .declarations
         .iter()
@@ -102,7 +102,7 @@ fn is_told(declared: &Declared, letter: &Node) -> bool {
 }
 
 /// Whether a letter stands in a formula of a document.
-fn stands(document: &Document, letter: &Node) -> bool {
+pub(super) fn stands(document: &Document, letter: &Node) -> bool {
     let lines = document.items.iter().filter_map(|item| match item {
         Item::Formula(formula) => Some(&formula.rows),
         _ => None,

@@ -1,5 +1,6 @@
 //! What an earlier slip leads to, on the key's own way.
 
+use crate::grade::key::Route;
 use crate::grade::matching::{Entry, Part};
 use crate::grade::paper::Worth;
 use crate::grade::result::Outcome;
@@ -32,7 +33,10 @@ impl Marker<'_> {
         depth: usize,
     ) -> Vec<Part> {
         let mut parts = vec![];
-        for step in self.route(line).to_vec() {
+        let key = self.key;
+        let routes = &key.stages[self.stage].routes;
+        let (steps, laws) = routes.get(line).map_or((&[][..], &[][..]), Route::carriers);
+        for step in steps.to_vec() {
             let known = wrong.len();
             let ends = self.wrong_ends(step, before, wrong);
             let mut replaced = match ends.is_empty() {
@@ -48,7 +52,7 @@ impl Marker<'_> {
             parts.extend(replaced);
         }
         // What lines say tells letters first.
-        parts.extend(self.laws_to(line));
+        parts.extend_from_slice(laws);
         parts
     }
 
@@ -62,7 +66,7 @@ impl Marker<'_> {
 
     /// The components of a line of the key or, from the number of these on, what its ends say, with wrong ones of the student
     /// in place of those that they are meant to be.
-    fn with_wrong(
+    pub(super) fn with_wrong(
         &mut self,
         step: usize,
         from: usize,
@@ -91,15 +95,6 @@ impl Marker<'_> {
         parts
     }
 
-    /// The laws that the key's way to one of its lines needs.
-    pub(super) fn laws_to(&self, line: usize) -> Vec<Part> {
-        let routes = &self.key.stages[self.stage].routes;
-        match routes.get(line) {
-            Some(route) if route.by_law => self.board.laws().components().to_vec(),
-            _ => vec![],
-        }
-    }
-
     /// The last wrong part before a line that is meant to be a goal, unless a true line has taken its place since.
     pub(super) fn wrong_part(&mut self, goal: Goal, before: usize) -> Option<(usize, Part)> {
         let line = self
@@ -121,12 +116,57 @@ impl Marker<'_> {
         line: usize,
     ) -> Option<Vec<usize>> {
         let carried = self.carried_into(attempt.goal, line);
-        if carried.wrong.is_empty() {
-            return Some(vec![]);
-        }
         let part = self.entry(line).part(attempt.part)?.clone();
-        let follows = self.board.say_together(&[carried.entry], &[part])?;
-        Some(if follows { carried.wrong } else { vec![] })
+        if !carried.wrong.is_empty() {
+            let part = std::slice::from_ref(&part);
+            match self.board.say_together(&[carried.entry], part) {
+                Some(true) => return Some(carried.wrong),
+                None => return None,
+                Some(false) => {}
+            }
+        }
+        let own = self.law_of_own(attempt.goal, line);
+        let by_own = own.into_iter().find(|&law| {
+            let lines = self.with_law_of_own(attempt.goal, line, law);
+            self.board.say_together(&lines, std::slice::from_ref(&part)) == Some(true)
+        });
+        let slip = by_own.or_else(|| self.carried_by_own_way(attempt.goal, line, &part));
+        Some(slip.into_iter().collect())
+    }
+
+    /// Wrong lines before a line that stand for a law which the key's way to a goal needs and no line of the key says.
+    fn law_of_own(&mut self, goal: Goal, before: usize) -> Vec<usize> {
+        let by_law = self.key.stages[self.stage].routes.get(goal.line);
+        if by_law.is_none_or(|route| route.carriers().1.is_empty()) {
+            return vec![];
+        }
+        let wrong = (0..before).filter(|&line| self.worth(line) == Worth::False);
+        wrong
+            .filter(|&line| self.attempts[line].is_empty())
+            .collect()
+    }
+
+    /// The key's way to a goal with the student's own wrong lines, and with one more in place of the law.
+    fn with_law_of_own(&mut self, goal: Goal, before: usize, law: usize) -> Vec<Entry> {
+        let steps = self.route(goal.line).to_vec();
+        let mut parts = vec![];
+        for step in steps {
+            parts.extend(self.with_wrong(step, 0, before, &mut vec![]));
+        }
+        vec![self.entry(law).clone(), Entry::of(parts)]
+    }
+
+    /// A wrong line that stands for a law, and by which a goal would not hold.
+    pub(super) fn denied_by_own_law(&mut self, goal: Goal, before: usize) -> Option<usize> {
+        let part = self.goal(goal)?.clone();
+        self.law_of_own(goal, before).into_iter().find(|&law| {
+            let mut lines = self.with_law_of_own(goal, before, law);
+            let alone = self.board.say_together(&lines, std::slice::from_ref(&part));
+            lines.push(Entry::of(vec![part.clone()]));
+            // With the goal they contradict each other.
+            let goal = std::slice::from_ref(&part);
+            alone == Some(false) && self.board.say_together(&lines, goal).is_none()
+        })
     }
 
     /// A goal is written wrong.

@@ -82,6 +82,19 @@ impl Marker<'_> {
                 return decision(Outcome::None, Some(line), reason);
             }
         }
+        let defined = (0..self.paper.lines.len()).find(|&line| {
+            self.worth(line) == Worth::Defined && self.board.defines_as(self.entry(line), part)
+        });
+        if let Some(line) = defined {
+            return decision(
+                Outcome::Human,
+                Some(line),
+                format!(
+                    "{} defines a letter as what the key says of another; nothing tells whether they are the same",
+                    self.name(line)
+                ),
+            );
+        }
         match (0..self.paper.lines.len()).find(|&line| self.may_be(line, part)) {
             Some(line) => decision(
                 Outcome::Human,

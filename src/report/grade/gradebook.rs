@@ -29,6 +29,34 @@ pub enum Form {
     Points,
 }
 
+impl Form {
+    /// All of them.
+    pub const ALL: [Self; 8] = [
+        Self::Csv,
+        Self::Jsonl,
+        Self::Gradescope,
+        Self::Prairielearn,
+        Self::Moodle,
+        Self::Canvas,
+        Self::Coderunner,
+        Self::Points,
+    ];
+
+    /// The file of the class, or the folder with a file for each student, below the folder of results.
+    pub fn place(self) -> &'static str {
+        match self {
+            Self::Csv => "marks.csv",
+            Self::Jsonl => "marks.jsonl",
+            Self::Gradescope => "gradescope",
+            Self::Prairielearn => "prairielearn",
+            Self::Moodle => "moodle.csv",
+            Self::Canvas => "canvas.csv",
+            Self::Coderunner => "coderunner",
+            Self::Points => "points",
+        }
+    }
+}
+
 /// A file of a gradebook.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct File {
@@ -58,10 +86,17 @@ pub fn of_student(
         ),
         Form::Coderunner => (format!("coderunner/{stem}.json"), coderunner(key, graded)),
         Form::Points => {
-            let path = format!("points/{stem}.txt");
-            return Some(File {
-                path,
-                text: format!("{}\n", graded.marks),
+            let [done, waiting] = points(stem);
+            return Some(match &graded.queue {
+                None => File {
+                    path: done,
+                    text: format!("{}\n", graded.marks),
+                },
+                // A number would be taken for the grade.
+                Some(_) => File {
+                    path: waiting,
+                    text: "a person will look at this work; it has no points yet\n".to_owned(),
+                },
             });
         }
         Form::Csv | Form::Jsonl | Form::Moodle | Form::Canvas => return None,
@@ -70,25 +105,40 @@ pub fn of_student(
     Some(File { path, text })
 }
 
+/// Where the points of a student stand, and where it stands that there are none yet.
+fn points(stem: &str) -> [String; 2] {
+    [format!("points/{stem}.txt"), format!("points/{stem}.waits")]
+}
+
+/// The files of a student in another state, which must not stand beside those of this one.
+pub fn outdated(form: Form, graded: &Graded, stem: &str) -> Option<String> {
+    let [done, waiting] = points(stem);
+    let other = match graded.queue {
+        None => waiting,
+        Some(_) => done,
+    };
+    (form == Form::Points).then_some(other)
+}
+
 /// The file of a class with no student in it yet; none for a form with a file for each student.
 pub fn head_of_class(form: Form, key: &Key) -> Option<File> {
-    let (path, text) = match form {
+    let text = match form {
         Form::Csv => {
             let labels = key.milestones().map(|(label, _)| label.to_owned());
             let head = ["student", "marks", "max"].map(str::to_owned).into_iter();
             let titles = head.chain(labels).chain(["queue".to_owned()]);
-            ("marks.csv", row(titles))
+            row(titles)
         }
-        Form::Jsonl => ("marks.jsonl", String::new()),
+        Form::Jsonl => String::new(),
         Form::Moodle => {
             let titles = ["Username", "Grade", "Feedback"].map(str::to_owned);
-            ("moodle.csv", row(titles))
+            row(titles)
         }
-        Form::Canvas => ("canvas.csv", canvas_head(key)),
+        Form::Canvas => canvas_head(key),
         _ => return None,
     };
     Some(File {
-        path: path.to_owned(),
+        path: form.place().to_owned(),
         text,
     })
 }
@@ -236,7 +286,14 @@ fn coderunner(key: &Key, graded: &Graded) -> Value {
         let marks = format!("{} of {}", m.marks, m.max);
         json!([m.outcome == Outcome::Full, m.label, marks, m.reason])
     }));
-    json!({"fraction": part(key, graded), "testresults": table, "columnformats": ["%s", "%s", "%s"]})
+    let mut result = json!({
+        "fraction": part(key, graded), "testresults": table, "columnformats": ["%s", "%s", "%s"],
+    });
+    if graded.queue.is_some() {
+        let waits = "<p>A person will look at this work; these are not its marks yet.</p>";
+        result["prologuehtml"] = json!(waits);
+    }
+    result
 }
 
 /// The part of all marks, from 0 to 1.

@@ -29,6 +29,9 @@ pub fn student(key: &Key, told: &Graded) -> String {
             in_words(reached.outcome)
         ));
     }
+    for note in &told.notes {
+        text.push_str(&format!("\n{}\n", prose(note)));
+    }
     if let Some(slip) = &told.first_slip {
         text.push_str(&format!(
             "\n## The first slip\n\nIt is in {}.",

@@ -13,6 +13,7 @@ pub fn student(key: &Key, told: &Graded) -> String {
             p.wait { "A person will look at this work; the marks may change." }
         }
         (milestones(told))
+        @for note in &told.notes { p { (prose(note)) } }
         (slip(told))
         (assumptions(told))
         @if !told.lines.is_empty() {

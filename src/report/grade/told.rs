@@ -13,6 +13,9 @@ pub enum Detail {
     Full,
 }
 
+/// What a student is told who waits for a person.
+const WAITS: &str = "a person will look at this work";
+
 /// What is left of the work of a student when the rest is held back. Every page, file and table for students is made of it.
 pub fn told(graded: &Graded, detail: Detail) -> Graded {
     let mut told = graded.clone();
@@ -31,6 +34,9 @@ pub fn told(graded: &Graded, detail: Detail) -> Graded {
         told.assumptions.clear();
         told.lines.clear();
         told.questions.clear();
+        told.notes.clear();
+        // Why it waits may tell what is wrong.
+        told.queue = told.queue.map(|_| WAITS.to_owned());
     }
     told
 }

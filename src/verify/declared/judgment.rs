@@ -306,7 +306,10 @@ impl OwnLetters {
             if let Ok(value) = &value
                 && letters.customs.integrals
             {
-                own.opposite.extend(products_of_inertia(value));
+                let told = letters.customs.products.of_inertia_told;
+                let products = products_of_inertia(value).into_iter();
+                let own_sign = |v: &Variable| told || system.atoms.atom(*v).law.is_none();
+                own.opposite.extend(products.filter(own_sign));
             }
             let entry = value.ok().filter(|value| value.entries.len() == 1);
             if let Some(variable) = entry.and_then(|value| value.entries[0].as_variable()) {

@@ -20,8 +20,8 @@ pub(crate) enum Cue {
 /// The words, one kind a line.
 const WORDS: &str = include_str!("cues.txt");
 
-/// The words of a phrase behind its first one, and what it makes of formulas.
-type Phrase = (Vec<&'static str>, Cue);
+/// The words of a phrase behind its first one, and what it makes of formulas; nothing where a word in it is no cue.
+type Phrase = (Vec<&'static str>, Option<Cue>);
 
 /// The phrases by their first words.
 static PHRASES: LazyLock<HashMap<&str, Vec<Phrase>>> = LazyLock::new(|| {
@@ -31,10 +31,11 @@ static PHRASES: LazyLock<HashMap<&str, Vec<Phrase>>> = LazyLock::new(|| {
             continue;
         };
         let cue = match kind.trim() {
-            "derive" => Cue::Derive,
-            "define" => Cue::Define,
-            "assume" => Cue::Assume,
-            "give" => Cue::Give,
+            "derive" => Some(Cue::Derive),
+            "define" => Some(Cue::Define),
+            "assume" => Some(Cue::Assume),
+            "give" => Some(Cue::Give),
+            "idle" => None,
             _ => continue,
         };
         for phrase in of_kind.split('|') {
@@ -109,7 +110,7 @@ static LONGEST: LazyLock<usize> = LazyLock::new(|| {
 struct Found {
     begins: usize,
     ends: usize,
-    cue: Cue,
+    cue: Option<Cue>,
 }
 
 /// The last cue of a sentence. It is looked for from the end: most sentences are long, and have it there.
@@ -137,7 +138,7 @@ pub(crate) fn last_cue(sentence: &str) -> Option<Cue> {
     for phrase in found.iter().rev() {
         if phrase.begins < left {
             left = phrase.ends;
-            last = Some(phrase.cue);
+            last = phrase.cue.or(last);
         }
     }
     last
@@ -159,7 +160,7 @@ fn words_from_end(sentence: &str) -> impl Iterator<Item = &str> {
 
 /// The longest phrase that begins with a word: how many words it has besides, and what it makes of formulas. What stands
 /// behind the word is given from the end on.
-fn longest_phrase(first: &str, behind: &[Cow<'_, str>]) -> Option<(usize, Cue)> {
+fn longest_phrase(first: &str, behind: &[Cow<'_, str>]) -> Option<(usize, Option<Cue>)> {
     let fits = |(rest, _): &&Phrase| {
         let mut both = rest.iter().zip(behind.iter().rev());
         rest.len() <= behind.len() && both.all(|(a, b)| *a == "*" || *a == b.as_ref())

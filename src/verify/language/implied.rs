@@ -1,6 +1,7 @@
 //! What a noun leaves to the words around it: whose it is, which one, and what is meant by several.
 
 use super::body_words::may_name;
+use super::fixed_in::body_of;
 use super::lexicon::Class;
 use super::reader::{Read, Reader, is_glue};
 use super::statement::{NounPhrase, Slot, Term};
@@ -148,7 +149,8 @@ impl Reader<'_> {
     pub(crate) fn unknown_before_name(&self) -> Option<usize> {
         let unknown = |ahead: usize| {
             let word = self.word_at(ahead);
-            !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word) && may_name(word)
+            let named = !word.is_empty() && !self.lexicon.begins(word) && !is_glue(word);
+            named && may_name(word) && body_of(word).is_none()
         };
         let skipped = (0..MOST_UNKNOWN)
             .take_while(|&ahead| unknown(ahead))

@@ -4,6 +4,7 @@ use super::anaphora::{with_it_inside, with_its};
 use super::asides::asides_apart;
 use super::clause::Said;
 use super::ellipsis::{joint_weakness, parted_at};
+use super::fixed_in::fixed_in_named;
 use super::in_lists::{join_adjectives, tell_listed_apart};
 use super::lexicon::Lexicon;
 use super::load_clauses::loads_apart;
@@ -92,7 +93,9 @@ fn understood_whole(
     let reminded =
         reminded_at_start(tokens, lexicon).or_else(|| each_with_its_own(tokens, lexicon));
     let tokens = reminded.as_deref().unwrap_or(tokens);
-    let told = loads_apart(tokens, lexicon).or_else(|| turns_named(tokens));
+    let told = loads_apart(tokens, lexicon)
+        .or_else(|| turns_named(tokens))
+        .or_else(|| fixed_in_named(tokens));
     let tokens = told.as_deref().unwrap_or(tokens);
     let first = match strictly(tokens) {
         Ok(said) => return Ok(said),

@@ -22,9 +22,7 @@ use crate::verify::reading::{Premise, Reading};
 use crate::verify::term::letters::{At, Letter, Meaning, Reach, loosely, spelled};
 use crate::verify::term::quantity::{Quantity, Spot};
 use crate::verify::term::value::Value;
-use crate::verify::term::written::{
-    PRODUCTS_AS_ENTRIES, PRODUCTS_AS_INTEGRALS, Written, WrittenSymbols,
-};
+use crate::verify::term::written::{Written, WrittenSymbols};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A reading under way.
@@ -69,9 +67,7 @@ pub(crate) fn build(declarations: &[Declaration], written: Written, first: usize
         });
     let mut builder = Builder::of(&always);
     builder.reading.system.atoms.begin_at(first);
-    // A matrix tells how products of inertia are written, where no sentence does.
-    builder.reading.letters.customs.integrals =
-        !written.has(PRODUCTS_AS_ENTRIES) || written.has(PRODUCTS_AS_INTEGRALS);
+    builder.write_products_as(&written);
     builder.reading.letters.written = written;
     builder.say_conditional(&conditional);
     builder.look_for_blow();

@@ -160,7 +160,9 @@ impl Builder<'_> {
     /// "Products of inertia are integrals."
     fn read_convention(&mut self, subjects: &[Term], what: &NounPhrase) {
         if subjects.iter().any(are_products) && matches!(what.head, "integral" | "entry") {
-            self.reading.letters.customs.integrals = what.head == "integral";
+            let customs = &mut self.reading.letters.customs;
+            customs.integrals = what.head == "integral";
+            customs.products.of_inertia_told = true;
         }
     }
 

@@ -10,6 +10,7 @@ use crate::verify::reading::relations_read::labelled_entry;
 use crate::verify::reading::vectors_read::entry_of;
 use crate::verify::term::letters::Meaning;
 use crate::verify::term::quantity::Quantity;
+use crate::verify::term::written::{PRODUCTS_AS_ENTRIES, PRODUCTS_AS_INTEGRALS, WrittenSymbols};
 
 /// The places of the products, each of which stands twice in a tensor.
 const PLACES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
@@ -18,6 +19,15 @@ const PLACES: [(usize, usize); 3] = [(0, 1), (0, 2), (1, 2)];
 type Named = (Quantity, FrameId, Vec<(usize, usize)>);
 
 impl Builder<'_> {
+    /// A matrix tells how products of inertia are written, where no sentence does.
+    pub(super) fn write_products_as(&mut self, written: &WrittenSymbols) {
+        let customs = &mut self.reading.letters.customs;
+        let entries = written.has(PRODUCTS_AS_ENTRIES);
+        let integrals = written.has(PRODUCTS_AS_INTEGRALS);
+        customs.integrals = !entries || integrals;
+        customs.products.of_inertia_told = entries != integrals;
+    }
+
     /// Whether products of inertia are integrals, where a sentence says what they are in the part of the document of which
     /// another one speaks.
     fn products_are_integrals(&self, declaration: &Declaration) -> Option<bool> {

@@ -2,6 +2,7 @@
 
 use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Row;
+use crate::verify::language::is_quantity;
 use crate::verify::language::statement::{Declaration, Formula, Slot, Statement, Term, Touched};
 use crate::verify::reading::names::{letter_of, node_of, nodes_of};
 use crate::verify::reading::unused::{Touches, carries};
@@ -36,6 +37,14 @@ pub(super) fn touched_by(statement: &Statement, others: &[Declaration]) -> Touch
         }
         let formulas = statement.formulas().into_iter();
         if matches!(statement, Statement::Is { .. }) {
+            // "The spin is constant": any letter may be that of the quantity.
+            let unnamed = |term: &Term| match term {
+                Term::Phrase(phrase) => is_quantity(phrase.head) && letter_of(term).is_none(),
+                _ => false,
+            };
+            if statement.subjects().iter().any(unnamed) {
+                return Touches::Everything;
+            }
             let subjects = statement.subjects().iter().filter_map(letter_of);
             return Touches::Written(subjects.flat_map(nodes_of).map(spelled).collect());
         }

@@ -351,7 +351,11 @@ impl<'a> Judge<'a> {
 
     /// One verdict from what the links came to: the worst of them.
     fn conclude(&mut self, line: &Line, head: Span, purpose: Purpose, held: Vec<Held>) {
-        let derived = purpose.derived || self.unused_of(&line.sides).is_some();
+        let unheard = self.unused_of(&line.sides).is_some();
+        let derived = purpose.derived || unheard;
+        // Words alone make no assumption of what an unheard sentence may tell of.
+        let assumed = matches!(purpose.role, Role::Assume | Role::Given);
+        let doubtful = purpose.doubtful || unheard && assumed && !purpose.declared;
         let denied = held.iter().any(|h| h.standing == Standing::Denied);
         let chooses = denied && self.chooses_direction(line);
         let standing = |h: &Held| match (h.standing, purpose.role) {
@@ -363,7 +367,7 @@ impl<'a> Judge<'a> {
             }
             (Standing::Denied, Role::Claim | Role::Define) if chooses => Standing::Settles,
             (Standing::Denied, Role::Claim | Role::Define) if h.doubt.is_some() => Standing::Open,
-            (Standing::Denied | Standing::Free, _) if purpose.doubtful => Standing::Open,
+            (Standing::Denied | Standing::Free, _) if doubtful => Standing::Open,
             (Standing::Settles, _) if self.defines_by_another_line(h) => Standing::Open,
             // Words alone make no definition of a relation in which no new letter stands alone on a side.
             (Standing::Free, Role::Define) if !purpose.declared && (!h.alone || h.restricts) => {
@@ -387,11 +391,7 @@ impl<'a> Judge<'a> {
             }
         }
         self.note_if_not_taken_in(line, purpose, verdict, &held);
-        let proofs: Vec<&Proof> = held.iter().filter_map(|h| h.proof.as_ref()).collect();
-        let proof = proofs.split_first().map(|(first, rest)| {
-            rest.iter()
-                .fold((*first).clone(), |all, next| all.and(next))
-        });
+        let proof = joined(held.iter().filter_map(|h| h.proof.as_ref()));
         let place = answers.iter().position(|a| *a == worst).unwrap_or(0);
         let chosen = held.into_iter().nth(place);
         let Some(chosen) = chosen else { return };
@@ -408,4 +408,10 @@ impl<'a> Judge<'a> {
             sides: chosen.sides,
         });
     }
+}
+
+/// One proof of all that several prove.
+fn joined<'p>(mut proofs: impl Iterator<Item = &'p Proof>) -> Option<Proof> {
+    let first = proofs.next()?.clone();
+    Some(proofs.fold(first, |all, next| all.and(next)))
 }

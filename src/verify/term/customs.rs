@@ -36,6 +36,8 @@ pub(crate) struct Customs {
 /// What signs of products mean, and factors without one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Products {
+    /// A sentence or a matrix tells whether products of inertia are integrals.
+    pub(crate) of_inertia_told: bool,
     /// A dot between quaternions is their product.
     pub(crate) quaternion_dots: bool,
     /// Any two vectors side by side are a dyad; two unit vectors are one in any case.

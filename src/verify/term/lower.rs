@@ -206,11 +206,6 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn quotient(&mut self, top: &Node, bottom: &Node) -> Valued {
-        let (top, bottom) = (self.value(top)?, self.value(bottom)?);
-        self.system.quotient(&top, &bottom)
-    }
-
     /// The value of a letter that stands for a quantity; it is worked out once.
     pub(super) fn letter(&mut self, text: &str, quantity: &Quantity) -> Valued {
         if let Some(value) = self.known.value(text, quantity) {

@@ -15,6 +15,25 @@ use std::collections::BTreeSet;
 const MOST_ROWS: usize = 4;
 
 impl Lowering<'_> {
+    pub(super) fn quotient(&mut self, top: &Node, bottom: &Node) -> Valued {
+        let (top, bottom) = (self.value(top)?, self.value(bottom)?);
+        self.system.quotient(&top, &bottom)
+    }
+
+    /// Products of inertia have a sign convention; entries of other matrices have none, nor have those of a tensor that is
+    /// worked out, where nothing tells it.
+    pub(super) fn written_as_products(&self, value: &Value) -> bool {
+        let atoms = &self.system.atoms;
+        let worked_out = |entry: &Fraction| {
+            let letter = entry.as_variable();
+            letter.is_some_and(|letter| atoms.atom(letter).law.is_some())
+        };
+        let told = self.letters.customs.products.of_inertia_told;
+        value.basis[0] == value.basis[1]
+            && value.transposed().entries == value.entries
+            && (told || !value.entries.iter().any(worked_out))
+    }
+
     /// What a cross says of two values: their cross product, its component across a plane, or the product of matrices.
     pub(super) fn crossed(&mut self, left: &Value, right: &Value, custom: FrameId) -> Valued {
         let products = &self.letters.customs.products;

@@ -249,11 +249,6 @@ impl Lowering<'_> {
         })
     }
 
-    /// Products of inertia have a sign convention; entries of other matrices have none.
-    fn written_as_products(&self, value: &Value) -> bool {
-        value.basis[0] == value.basis[1] && value.transposed().entries == value.entries
-    }
-
     /// The axes that a label numbers, and the frame that it names.
     pub(super) fn axes_of_label(&self, label: &str) -> Option<(Vec<usize>, Option<FrameId>)> {
         let rule = self.letters.label(label, false, self.at);

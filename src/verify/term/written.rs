@@ -12,8 +12,8 @@ pub(crate) const TURNING_RATE: &str = "d'/dt";
 
 /// What stands among the symbols where a symmetric matrix has letters with two labels off its diagonal as they are, and where
 /// all of them have a minus: by the one, products of inertia are entries, by the other, integrals.
-pub(crate) const PRODUCTS_AS_ENTRIES: &str = "I_{jk}";
-pub(crate) const PRODUCTS_AS_INTEGRALS: &str = "-I_{jk}";
+pub(crate) const PRODUCTS_AS_ENTRIES: &str = "products:=entries";
+pub(crate) const PRODUCTS_AS_INTEGRALS: &str = "products:=-entries";
 
 /// What stands among the symbols where a line says by `:=` or `=:` what a letter is.
 pub(crate) fn defined(letter: &str) -> String {
