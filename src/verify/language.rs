@@ -26,6 +26,7 @@ mod at_zero_placed;
 mod attachments;
 mod axes_by_number;
 mod axes_by_vectors;
+mod bases;
 mod bodies;
 mod body_axes;
 mod body_words;

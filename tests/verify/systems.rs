@@ -58,6 +58,7 @@ mod rods;
 mod rolling;
 mod round_surfaces;
 mod rules_of_writing;
+mod said_in_passing;
 mod scenes;
 mod sentence_forms;
 mod shapes_and_wholes;

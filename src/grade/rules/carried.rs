@@ -36,7 +36,7 @@ impl Marker<'_> {
         let key = self.key;
         let routes = &key.stages[self.stage].routes;
         let (steps, laws) = routes.get(line).map_or((&[][..], &[][..]), Route::carriers);
-        for step in steps.to_vec() {
+        for &step in steps {
             let known = wrong.len();
             let ends = self.wrong_ends(step, before, wrong);
             let mut replaced = match ends.is_empty() {

@@ -17,6 +17,9 @@ const WORDS: &[&str] = &[
     "arctan", "asin", "acos", "atan", "sinh", "cosh", "tanh",
 ];
 
+/// Letters that are mostly angles.
+const ANGLES: &str = "alpha beta gamma delta epsilon varepsilon eta theta vartheta lambda mu nu xi sigma phi varphi chi psi omega";
+
 impl<'a> Lexer<'a> {
     /// Letters that touch: in LaTeX a symbol each, in plain text a word where its meaning is known.
     pub(super) fn letters(&mut self, c: char, start: usize) {
@@ -38,13 +41,18 @@ impl<'a> Lexer<'a> {
         self.number_of_letter(start);
     }
 
-    /// `cos(\theta)` in LaTeX, without the backslash that it should have.
+    /// `cos(\theta)`, `cos\theta` in LaTeX, without the backslash that it should have.
     fn function_word(&mut self, start: usize) -> bool {
         let word = run(&self.text[start..], |b| b.is_ascii_alphabetic());
         let before = self.text[..start].chars().next_back();
         let behind = self.text[start + word.len()..].trim_start();
         let alone = !before.is_some_and(|c| c.is_alphabetic() || c == '\\');
-        let called = behind.starts_with(['(', '^', '{']) || behind.starts_with("\\left(");
+        let angle = behind
+            .strip_prefix('\\')
+            .map(|name| run(name, |b| b.is_ascii_alphabetic()));
+        let called = behind.starts_with(['(', '^', '{'])
+            || behind.starts_with("\\left(")
+            || angle.is_some_and(|angle| ANGLES.split(' ').any(|one| one == angle));
         let function = WORDS.iter().find(|function| **function == word);
         let Some(function) = function.filter(|_| alone && called) else {
             return false;

@@ -24,6 +24,7 @@ pub(crate) fn introduced<'a>(
     for tokens in sentences.clone() {
         found.extend(names(tokens, &contexts, lexicon));
         found.extend(consists(tokens, lexicon));
+        found.extend(consists_of_its_like(tokens, lexicon));
         if found.len() > MOST_BODIES {
             break;
         }
@@ -89,6 +90,20 @@ fn consists(tokens: &[Token], lexicon: &Lexicon) -> Option<String> {
         }
         _ => None,
     })
+}
+
+/// "The balanced rotor consists of the rotor and P": what has a body as a part is another one, and the word before its noun tells
+/// them apart.
+fn consists_of_its_like(tokens: &[Token], lexicon: &Lexicon) -> Option<String> {
+    let words: Vec<&str> = tokens.iter().map(|t| t.lower.as_str()).collect();
+    let at = words.windows(2).position(|two| two == ["consists", "of"])?;
+    let [.., "the", word, noun] = words[..at] else {
+        return None;
+    };
+    let known = lexicon.find(&[noun], &[Class::Thing]).is_some();
+    let part = words[at..].windows(2).any(|two| two == ["the", noun]);
+    let name = known && part && !is_glue(word) && word.chars().all(char::is_alphabetic);
+    name.then(|| format!("{word} {noun}"))
 }
 
 /// The bodies that one sentence introduces.

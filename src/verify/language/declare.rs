@@ -4,6 +4,7 @@ use super::absences::{part_absences, tell_absences};
 use super::anaphora::referring;
 use super::angles_told::tell_angles;
 use super::attachments::join_attachments;
+use super::bases::name_axes_to_bases;
 use super::bodies::introduced;
 use super::both::{Kinds, counting_letters, tell_both, tell_each};
 use super::capital_names::keep_capitals;
@@ -40,6 +41,7 @@ pub fn read_declarations(
     join_attachments(&mut parted);
     tell_angles(&mut parted);
     say_where(&mut parted, lexicon, macros);
+    name_axes_to_bases(&mut parted);
     let understood = parted.iter().filter_map(|tokens| tokens.as_deref().ok());
     let mut bodies = introduced(understood.clone(), lexicon);
     let compounds = Compounds::of(understood, lexicon);

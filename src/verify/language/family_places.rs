@@ -8,6 +8,7 @@ use super::kinds::name;
 use super::reader;
 use super::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
 use crate::notation::Macros;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Nouns of the places of things.
 const PLACES: [&str; 5] = ["middle", "centre", "hub", "mass centre", "place"];
@@ -163,9 +164,10 @@ fn laid_in_turn(declarations: &mut Vec<Declaration>) -> Vec<Family> {
     families
 }
 
-/// "Rotor 1 is placed from G by `$l$` along x", and so on to the last.
+/// "Rotor 1 is placed from G by `$l$` along x", and so on, in any order: as many as their highest number, each once.
 fn placed_one_by_one(declarations: &[Declaration]) -> Vec<Family> {
-    let mut families: Vec<Family> = vec![];
+    let mut placed: BTreeMap<String, BTreeMap<usize, Term>> = BTreeMap::new();
+    let mut lost: BTreeSet<String> = BTreeSet::new();
     for declaration in declarations {
         let Statement::Does { subjects, verb, .. } = &declaration.statement else {
             continue;
@@ -174,24 +176,21 @@ fn placed_one_by_one(declarations: &[Declaration]) -> Vec<Family> {
         else {
             continue;
         };
-        let one = || {
-            let number = families.iter().find(|own| own.noun == *family);
-            number.map_or(1, |own| own.places.len() + 1)
+        let own = placed.entry(family.clone()).or_default();
+        let twice = match index.source.parse() {
+            Ok(number) => own.insert(number, subjects[0].clone()).is_some(),
+            Err(_) => true,
         };
-        if index.source != one().to_string() {
-            families.retain(|own| own.noun != *family);
-            continue;
-        }
-        match families.iter_mut().find(|own| own.noun == *family) {
-            Some(own) => {
-                own.labels.push(index.source.clone());
-                own.places.push(subjects[0].clone());
-            }
-            None => families.push(Family::new(family.clone(), subjects.clone())),
+        if twice {
+            lost.insert(family.clone());
         }
     }
-    families.retain(|family| family.places.len() > 1);
-    families
+    let all = |(family, each): (String, BTreeMap<usize, Term>)| {
+        let whole = each.len() > 1 && each.keys().copied().eq(1..=each.len());
+        let known = whole && !lost.contains(&family);
+        known.then(|| Family::new(family, each.into_values().collect()))
+    };
+    placed.into_iter().filter_map(all).collect()
 }
 
 /// A formula with a number in the place of the index, wherever that stands alone: in labels and in powers.
@@ -224,8 +223,7 @@ fn name_numbers(declarations: &mut [Declaration]) {
         let (before, rest) = declarations.split_at_mut(at);
         let same = |d: &&Declaration| d.line == rest[0].line && d.text == rest[0].text;
         let family = before.iter().rev().filter(same).find_map(|d| {
-            let numbered =
-                |term: &&Term| matches!(term, Term::Member { index, .. } if index.source == "1");
+            let numbered = |term: &&Term| matches!(term, Term::Member { index, .. } if index.source.parse::<usize>().is_ok());
             match d.statement.terms().into_iter().find(numbered) {
                 Some(Term::Member { family, index }) => Some((family.clone(), index.clone())),
                 _ => None,

@@ -1,7 +1,7 @@
 //! Loads of which a sentence does not say on what they act: "the total moment about G" is that on the body with the mass
 //! centre G, or on the only body.
 
-use super::heads::{FORCE, MASS_CENTRE, MOMENT};
+use super::heads::{FORCE, MASS_CENTRE, MOMENT, WEIGHT};
 use super::is_body;
 use super::kinds::name;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
@@ -40,6 +40,47 @@ pub(super) fn name_loaded_bodies(declarations: &mut [Declaration]) {
             slots.push((Slot::Of, body));
         }
     }
+}
+
+/// "`$M$` is the moment of the weight about O", where the weight is listed among the loads on one body alone: that of it.
+pub(super) fn give_weights_to_loaded(declarations: &mut [Declaration]) {
+    let mut loaded = declarations.iter().filter_map(|d| match &d.statement {
+        Statement::Premise(list) if list.is("only") && lists_weight(list) => {
+            list.slot(Slot::Of).or(list.slot(Slot::Upon))
+        }
+        _ => None,
+    });
+    let Some(body) = loaded.next().cloned() else {
+        return;
+    };
+    if loaded.any(|other| *other != body) {
+        return;
+    }
+    for declaration in declarations.iter_mut() {
+        if let Statement::Is { what, .. } = &mut declaration.statement
+            && let Some((_, Term::Phrase(weight))) =
+                what.slots.iter_mut().find(|(slot, _)| *slot == Slot::Of)
+            && weight.head == WEIGHT
+            && weight.adjectives.is_empty()
+            && weight
+                .slots
+                .iter()
+                .all(|(slot, _)| matches!(slot, Slot::About | Slot::Along))
+        {
+            // Before what is said of its moment.
+            weight.slots.insert(0, (Slot::Of, body.clone()));
+        }
+    }
+}
+
+fn lists_weight(list: &NounPhrase) -> bool {
+    let mut loads = list.all(Slot::With);
+    loads.any(|load| matches!(load, Term::Phrase(weight) if is_plain_weight(weight)))
+}
+
+/// "the weight": of which no word says whose it is.
+fn is_plain_weight(load: &NounPhrase) -> bool {
+    load.head == WEIGHT && load.slots.is_empty() && load.adjectives.is_empty()
 }
 
 /// "the total moment about G", "the moment of the external forces about G"

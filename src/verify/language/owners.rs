@@ -4,7 +4,7 @@ use super::acting::tell_where_forces_act;
 use super::heads::{CONTACT_FORCE, FORCE, MASS, MOMENT, WEIGHT};
 use super::kinds::name;
 use super::listed::tell_listed_moments;
-use super::loaded_bodies::name_loaded_bodies;
+use super::loaded_bodies::{give_weights_to_loaded, name_loaded_bodies};
 use super::other_loads::tell_other_moments;
 use super::statement::{Declaration, NounPhrase, Slot, Statement, Term};
 use super::the_axis::tell_the_axis;
@@ -114,6 +114,7 @@ fn tell_touching(declarations: &mut [Declaration]) {
 pub(crate) fn say_of_loads(declarations: &mut Vec<Declaration>) {
     tell_the_axis(declarations);
     name_loaded_bodies(declarations);
+    give_weights_to_loaded(declarations);
     share_agents(declarations);
     tell_where_forces_act(declarations);
     tell_touching(declarations);

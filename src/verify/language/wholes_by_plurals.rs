@@ -22,7 +22,10 @@ pub(crate) fn join_uncounted(declarations: &mut [Declaration]) {
             .all(|d| speaks_of_sum(&d.statement, &plural));
         let member = |term: &Term| match term {
             Term::Member { family, .. } => family == single,
-            Term::Name(name) => name.split(' ').next() == Some(single),
+            Term::Name(name) => {
+                let index = name.strip_prefix(single);
+                index.is_some_and(|index| index.is_empty() || index.starts_with(' '))
+            }
             _ => false,
         };
         let mut terms = declarations.iter().flat_map(|d| d.statement.terms());
@@ -42,8 +45,8 @@ pub(crate) fn join_uncounted(declarations: &mut [Declaration]) {
 /// The name of a part that ends as a plural does.
 fn plural(part: &Term) -> Option<String> {
     match part {
-        Term::Name(name) if name.ends_with('s') && !name.ends_with("ss") && !name.contains(' ') => {
-            let word = name.len() > 3 && name.chars().all(|c| c.is_lowercase());
+        Term::Name(name) if name.ends_with('s') && !name.ends_with("ss") => {
+            let word = name.len() > 3 && name.chars().all(|c| c.is_lowercase() || c == ' ');
             word.then(|| name.clone())
         }
         _ => None,

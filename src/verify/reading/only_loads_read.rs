@@ -84,6 +84,9 @@ impl Builder<'_> {
         declaration: &Declaration,
     ) -> Option<Load> {
         let letters = letters_of(load);
+        if letters.is_empty() {
+            return self.open_moment_along(load, body, declaration);
+        }
         let ([letter], MOMENT) = (letters.as_slice(), load.head) else {
             return None;
         };

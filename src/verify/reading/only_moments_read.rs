@@ -1,8 +1,11 @@
-//! "`$L$` and `$M$` are the only moments on the body about G": what they come to about that point.
+//! "`$L$` and `$M$` are the only moments on the body about G": what they come to about that point. "A driving moment along z", one
+//! of the only loads: it has any size.
 
 use crate::verify::language::heads::MOMENT;
 use crate::verify::language::statement::{Declaration, Formula, NounPhrase, Slot, Statement, Term};
-use crate::verify::model::system::PointId;
+use crate::verify::language::traits::is_couple;
+use crate::verify::model::loads::Load;
+use crate::verify::model::system::{BodyId, PointId};
 use crate::verify::reading::builder::Builder;
 use crate::verify::reading::letters_read::formulas;
 use crate::verify::reading::loads_read::letters_of;
@@ -10,6 +13,32 @@ use crate::verify::reading::named_loads_read::names_load;
 use crate::verify::reading::reactions_read::same_letter;
 
 impl Builder<'_> {
+    /// "a driving moment along z", "the moment of the motor along z": of any size that no sentence tells by a letter, or what
+    /// a moment that sentences name comes to along that axis.
+    pub(super) fn open_moment_along(
+        &mut self,
+        load: &NounPhrase,
+        body: BodyId,
+        declaration: &Declaration,
+    ) -> Option<Load> {
+        let along = load.slot(Slot::Along)?;
+        let plain = |(slot, _): &(Slot, Term)| matches!(slot, Slot::Of | Slot::Along);
+        if !is_couple(load.head) || !load.slots.iter().all(plain) {
+            return None;
+        }
+        let along = self.direction(along, declaration, None)?;
+        let mut whole = load.clone();
+        whole.slots.retain(|(slot, _)| *slot != Slot::Along);
+        let moment = match whole.head == MOMENT && whole.slots.is_empty() {
+            true => self.free_load(&format!("M_{{\\parallel,{body}}}"), Some(along))?,
+            false => match self.named_load(&whole, Some(body))?.as_slice() {
+                [named] if named.at.is_none() => along.clone() * named.value.dot(&along),
+                _ => return None,
+            },
+        };
+        Some(Load::unnamed(None, moment, Some(body)))
+    }
+
     /// Whether a sentence lists moments about a point, on no axis alone.
     pub(super) fn lists_moments_about_point(&self, premise: &NounPhrase) -> bool {
         premise.slot(Slot::Along).is_none() && self.point_of_list(premise).is_some()

@@ -1,5 +1,6 @@
 //! Lines that wait for a sentence of which nothing was made.
 
+use crate::algebra::Fraction;
 use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::print::latex;
 use crate::verify::Role;
@@ -20,8 +21,10 @@ impl Judge<'_> {
         let letters = letters_in(&line.sides);
         let sides: Vec<&Node> = line.sides.iter().collect();
         let has = |standing: Standing| held.iter().any(|h| h.standing == standing);
-        let told = has(Standing::Settles) && self.reading.tells_unused(&letters, &self.at)
-            || has(Standing::Free) && self.unused_of(sides.iter().copied()).is_some();
+        let free = |h: &Held| h.standing == Standing::Free && !self.names_entries(h);
+        let named = held.iter().any(|h| self.names_entries(h)) || has(Standing::Settles);
+        let told = named && self.reading.tells_unused(&letters, &self.at)
+            || held.iter().any(free) && self.unused_of(sides.iter().copied()).is_some();
         let unknown: Vec<String> = held.iter().flat_map(|h| h.unknown.clone()).collect();
         let settled = held.iter().filter(|h| h.standing == Standing::Settles);
         let mut settled = settled.filter_map(|h| h.settles.as_ref());
@@ -29,6 +32,23 @@ impl Judge<'_> {
             || told && purpose.role == Role::Define
             || self.reads_by_custom(&sides)
             || self.unread_of(&sides, &unknown).is_some()
+    }
+
+    /// `\omega = (p, q, r)`: whether each component says what a new letter is that stands alone there, and says no more.
+    fn names_entries(&self, held: &Held) -> bool {
+        let atoms = &self.reading.system.atoms;
+        let new = |side: &Fraction| side.as_variable().filter(|&v| atoms.is_unknown(v));
+        let known = |side: &Fraction| side.variables().iter().all(|&v| !atoms.is_unknown(v));
+        let mut seen = BTreeSet::new();
+        let mut named = |(left, right): &(Fraction, Fraction)| {
+            let letter = match (new(left), new(right)) {
+                (Some(letter), None) if known(right) => Some(letter),
+                (None, Some(letter)) if known(left) => Some(letter),
+                _ => None,
+            };
+            letter.is_some_and(|letter| seen.insert(letter))
+        };
+        held.standing == Standing::Free && held.sides.len() > 1 && held.sides.iter().all(&mut named)
     }
 
     /// Whether a letter that its labels alone make an entry of a tensor stands in formulas, where a sentence of which nothing was made

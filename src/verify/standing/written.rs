@@ -173,7 +173,8 @@ fn products_in(rows: &[Vec<Node>]) -> Option<&'static str> {
             _ => return None,
         };
         let labels = symbol.subscripts.last()?;
-        let two = labels.chars().count() == 2 && labels.chars().nth(0) != labels.chars().nth(1);
+        let labels: Vec<char> = labels.chars().collect();
+        let two = matches!(labels.as_slice(), [one, other] if one != other);
         if rows.len() != 3 || !two || found.is_some_and(|other| other != sign) {
             return None;
         }
