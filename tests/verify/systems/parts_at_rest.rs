@@ -1,6 +1,6 @@
 //! Parts of bodies that turn as one or that carry a frame, rods that hang in them, and axes about which wheels turn.
 
-use super::{judged, verdicts};
+use super::judged;
 
 const FLYWHEEL: &str = "N is an inertial frame.
 The flywheel consists of the plate.

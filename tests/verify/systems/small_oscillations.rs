@@ -67,5 +67,5 @@ $$ w_1=w_{01} $$
 $$ C a_1=2 C a_1 $$
 $$ a_1=0 $$
 ";
-    assert_eq!(super::judged(sentences, text), "arr");
+    assert_eq!(judged(sentences, text), "arr");
 }
