@@ -1,6 +1,6 @@
 //! Frames that turn about the vertical and are inclined against it: by the angle of one axis, about another that stays level.
 
-use super::heads::{CONSTANT, CONTACT_POINT, UNIT_VECTOR, VERTICAL};
+use super::heads::{CONSTANT, CONTACT_POINT, MASS_CENTRE, UNIT_VECTOR, VERTICAL};
 use super::kinds::name;
 use super::planar_axes::{axes_of, axis, turns_by};
 use super::reader::formula;
@@ -18,7 +18,7 @@ struct Inclined {
     /// The sentence of the turn about the vertical.
     turn: usize,
     /// The sentences that say no more than that.
-    used: [usize; 2],
+    used: Vec<usize>,
 }
 
 /// "A turns relative to N about the vertical z at the rate `$\Omega$`. `$e_1$` is horizontal. The angle between `$e_3$` and z is
@@ -114,8 +114,7 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
             .position(|axis| name(axis).as_ref() == Some(&called))?;
         Some(at + 1)
     };
-    let (flat, level) = level_axis(declarations)?;
-    let about = number(level)?;
+    let flat = level_axis(declarations);
     let mut said = declarations.iter().enumerate();
     let (leaning, tilted, angle) = said.find_map(|(at, d)| match &d.statement {
         Statement::Is { subjects, what } if what.head == "angle" && what.slots.len() == 2 => {
@@ -131,6 +130,10 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
         }
         _ => None,
     })?;
+    let about = match &flat {
+        Some((_, level)) => number(level)?,
+        None => level_by_contact(&axes, tilted, declarations)?,
+    };
     (about != tilted).then(|| Inclined {
         frame: frame.clone(),
         upright: upright.clone(),
@@ -138,7 +141,11 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
         tilted,
         angle,
         turn,
-        used: [flat, leaning],
+        used: flat
+            .map(|(at, _)| at)
+            .into_iter()
+            .chain([leaning])
+            .collect(),
     })
 }
 
@@ -154,6 +161,34 @@ fn level_axis(declarations: &[Declaration]) -> Option<(usize, &Term)> {
         }
         _ => None,
     })
+}
+
+/// A body that is symmetric about the inclined axis touches a level plane with its lowest point: the axis that leads from there
+/// to its mass centre is the steepest one across the inclined axis, and the third stays level.
+fn level_by_contact(axes: &[Term], tilted: usize, declarations: &[Declaration]) -> Option<usize> {
+    let called = name(axes.get(tilted - 1)?)?;
+    let own = |term: &Term| name(term).as_ref() == Some(&called);
+    let is = |head: &str, of: Slot, d: &Declaration| match &d.statement {
+        Statement::Is { subjects, what } if what.head == head => {
+            Some((subjects.clone(), what.slot(of)?.clone()))
+        }
+        _ => None,
+    };
+    let said = |head, of| declarations.iter().filter_map(move |d| is(head, of, d));
+    let body = declarations.iter().find_map(|d| match &d.statement {
+        Statement::Is { subjects, what } if what.head == "symmetric" => {
+            let about = what.slots.iter().all(|(slot, _)| *slot == Slot::About);
+            let own = about && what.all(Slot::About).any(own);
+            subjects.first().filter(|_| own).cloned()
+        }
+        _ => None,
+    })?;
+    let mut centres = said(MASS_CENTRE, Slot::Of).filter(|(_, of)| *of == body);
+    let (centre, _) = centres.next()?;
+    let mut ways = said(UNIT_VECTOR, Slot::To).filter(|(_, to)| centre.contains(to));
+    let leads = ways.find_map(|(way, _)| axes.iter().position(|axis| way.contains(axis)))?;
+    let other = leads + 1;
+    (other != tilted).then(|| 6 - other - tilted)
 }
 
 /// Whether a sentence says that a direction is the upward vertical.

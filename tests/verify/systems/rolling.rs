@@ -241,3 +241,34 @@ The wheel rolls on the floor at Q without slipping.
         assert_eq!(judged(&sentences, text), "ppr", "{said}");
     }
 }
+
+/// It touches the floor with its lowest point: the axis of its frame that is neither its own nor the one to its centre is level.
+#[test]
+fn a_round_body_that_touches_the_floor_has_a_level_axis() {
+    let sentences = r"
+N is an inertial frame.
+$k$ is the upward vertical.
+The floor is a horizontal plane fixed in N.
+The wheel is a uniform thin disc of mass $M$ and radius $b$.
+D is the mass centre of the wheel.
+P is the point where the wheel touches the floor.
+The wheel rolls on the floor at P without slipping.
+E is a frame that turns relative to N about $k$ at the constant rate $q$.
+$e_1$, $e_2$, $e_3$ are the axes of E.
+$e_2$ is the unit vector from P to D.
+The wheel is symmetric about $e_3$.
+The wheel turns relative to E about $e_3$ at the rate $p$.
+The angle between $e_3$ and $k$ is $\beta$.
+$v$ is the velocity of D relative to N.
+";
+    let text = r"
+$$ k=\sin\beta\,e_2+\cos\beta\,e_3 $$
+$$ k=\cos\beta\,e_2+\sin\beta\,e_3 $$
+$$ k\cdot e_1=0 $$
+$$ v=-b(p+q\cos\beta)\,e_1 $$
+$$ v=b(p+q\cos\beta)\,e_1 $$
+";
+    assert_eq!(judged(sentences, text), "prppr");
+    let unknown = sentences.replace("The wheel is symmetric about $e_3$.\n", "");
+    assert_eq!(judged(&unknown, text), "uuuuu");
+}
