@@ -132,7 +132,7 @@ fn inclined(turn: usize, declarations: &[Declaration]) -> Option<Inclined> {
     })?;
     let about = match &flat {
         Some((_, level)) => number(level)?,
-        None => level_by_contact(&axes, tilted, declarations)?,
+        None => level_by_contact(axes, tilted, declarations)?,
     };
     (about != tilted).then(|| Inclined {
         frame: frame.clone(),
