@@ -32,6 +32,7 @@ mod triads;
 mod unicode;
 
 pub use alphabets::lookalike;
+pub(crate) use front_matter::SETTINGS;
 pub use macros::Macros;
 pub use sentences::sentences;
 pub(crate) use struck::{Struck, struck};

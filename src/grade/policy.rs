@@ -1,5 +1,6 @@
 //! What the front matter of a key sets: marks, and how they are given.
 
+use crate::notation::SETTINGS;
 use crate::notation::document::FrontMatter;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -173,18 +174,10 @@ impl Policy {
 }
 
 /// What the front matter of a key may set.
-const SETTINGS: [&str; 10] = [
-    "marks",
-    "follow_through",
-    "working",
-    "shown",
-    "rounding",
-    "most_rules",
-    "products",
-    "axes",
-    "symbols",
-    "polhode",
-];
+fn settings() -> impl Iterator<Item = &'static str> {
+    let of_comments = SETTINGS.into_iter().filter(|name| *name != "id");
+    of_comments.chain(["symbols", "polhode"])
+}
 
 /// What other programs read there.
 const ABOUT: [&str; 34] = [
@@ -226,18 +219,16 @@ const ABOUT: [&str; 34] = [
 
 /// What to say of a name that sets nothing.
 fn unknown(name: &str) -> Option<String> {
-    if SETTINGS.contains(&name) || ABOUT.contains(&name) {
+    if settings().any(|known| known == name) || ABOUT.contains(&name) {
         return None;
     }
-    let near = SETTINGS
-        .iter()
-        .map(|known| (strsim::jaro_winkler(known, name), known));
+    let near = settings().map(|known| (strsim::jaro_winkler(known, name), known));
     let near = near.max_by(|a, b| a.0.total_cmp(&b.0));
     Some(match near.filter(|(likeness, _)| *likeness > 0.8) {
         Some((_, known)) => format!("`{name}` is no setting of a key; did you mean `{known}`?"),
         None => format!(
             "`{name}` is no setting of a key; the settings are {}",
-            SETTINGS.join(", ")
+            settings().collect::<Vec<_>>().join(", ")
         ),
     })
 }

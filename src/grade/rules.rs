@@ -11,7 +11,6 @@ use std::ops::Range;
 
 mod carried;
 mod doubts;
-mod own_way;
 mod working;
 
 /// More wrong attempts at one milestone are no working.

@@ -1,7 +1,7 @@
 //! How much work a document can make, told from its text alone: the same on every machine, and before anything is decided.
 
 use crate::notation::ast::{Function, Kind, Node, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Row};
 use std::collections::HashMap;
 
 /// The terms that all lines of a submission together may have when their products are multiplied out. A line of a
@@ -22,12 +22,7 @@ type Defined<'d> = HashMap<&'d Symbol, u64>;
 
 /// What of documents is too large to be marked; none where they are not. Letters that the key knows are not put in.
 pub(super) fn excess(documents: &[Document], is_known: impl Fn(&Node) -> bool) -> Option<String> {
-    let items = documents.iter().flat_map(|document| &document.items);
-    let formulas = items.filter_map(|item| match item {
-        Item::Formula(formula) => Some(&formula.rows),
-        _ => None,
-    });
-    let rows = formulas.flatten();
+    let rows = documents.iter().flat_map(Document::rows);
     let rows: Vec<&Row> = rows
         .filter(|row| !matches!(row, Row::Expression(_)))
         .collect();

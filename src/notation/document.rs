@@ -59,6 +59,23 @@ impl Document {
 }
 
 impl Document {
+    /// The rows of all formulas.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = &Row> {
+        let formulas = self.items.iter().filter_map(|item| match item {
+            Item::Formula(formula) => Some(&formula.rows),
+            _ => None,
+        });
+        formulas.flatten()
+    }
+
+    /// The rows of all formulas that state something.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = &Line> {
+        self.rows().filter_map(|row| match row {
+            Row::Line(line) => Some(line),
+            _ => None,
+        })
+    }
+
     /// Where a row stands that begins with a byte: words before its first sign are its beginning, as its author counts lines.
     pub(crate) fn place_of_row(&self, offset: u32) -> Place {
         let own = self.place(offset);

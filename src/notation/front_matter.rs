@@ -7,15 +7,15 @@ use crate::source::Span;
 use serde_json::{Map, Value};
 
 /// Keys that a LaTeX comment may set, beside `symbol NAME`; any other comment is a sentence.
-const KEYS: [&str; 9] = [
-    "products",
-    "axes",
+pub(crate) const SETTINGS: [&str; 9] = [
     "marks",
     "follow_through",
     "working",
     "shown",
     "rounding",
     "most_rules",
+    "products",
+    "axes",
     "id",
 ];
 
@@ -107,7 +107,7 @@ pub(crate) fn comment(text: &str, offset: usize, front: &mut FrontMatter) {
         .split_once([':', '='])
         .map(|(key, value)| (key.trim(), value.trim()));
     match setting {
-        Some((key, value)) if KEYS.contains(&key) => {
+        Some((key, value)) if SETTINGS.contains(&key) => {
             set(key, Value::String(value.to_owned()), front);
         }
         Some((key, value)) if key.starts_with("symbol ") => {

@@ -18,7 +18,7 @@ pub(super) mod vocabulary;
 pub(super) mod wanted;
 
 use crate::notation::ast::{FrameLabel, Kind, Line, Node, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::check::Checker;
 use crate::verify::correction::edit::Edit;
@@ -212,7 +212,8 @@ impl Checker<'_> {
                     .to_owned()
             });
         };
-        lines(self.document)
+        self.document
+            .lines()
             .flat_map(|l| &l.sides)
             .for_each(|side| labels(side, &mut look));
         let [space, moving] = found;
@@ -227,17 +228,6 @@ fn apart(a: Span, b: Span) -> bool {
     a.end <= b.start || b.end <= a.start
 }
 
-pub(super) fn lines(document: &Document) -> impl Iterator<Item = &Line> {
-    let formulas = document.items.iter().filter_map(|item| match item {
-        Item::Formula(formula) => Some(formula),
-        _ => None,
-    });
-    formulas.flat_map(|f| &f.rows).filter_map(|row| match row {
-        Row::Line(line) => Some(line),
-        _ => None,
-    })
-}
-
 pub(super) fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
     fn find(node: &Node, wanted: &impl Fn(&Symbol) -> bool) -> Option<Span> {
         match &node.kind {
@@ -245,7 +235,8 @@ pub(super) fn first_symbol(document: &Document, wanted: &impl Fn(&Symbol) -> boo
             _ => node.children().find_map(|child| find(child, wanted)),
         }
     }
-    lines(document)
+    document
+        .lines()
         .flat_map(|l| &l.sides)
         .find_map(|side| find(side, wanted))
 }

@@ -5,7 +5,7 @@
 
 use crate::grade::key::sheet;
 use crate::notation::ast::{Kind, Node, Style, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Row};
 use crate::source::Span;
 use crate::verify::language::statement::{Declaration, Extent, Formula, Statement, Term};
 use crate::verify::language::{Lexicon, sentence};
@@ -103,14 +103,7 @@ pub(super) fn is_told(declared: &Declared, letter: &Node) -> bool {
 
 /// Whether a letter stands in a formula of a document.
 pub(super) fn stands(document: &Document, letter: &Node) -> bool {
-    let lines = document.items.iter().filter_map(|item| match item {
-        Item::Formula(formula) => Some(&formula.rows),
-        _ => None,
-    });
-    let mut lines = lines.flatten().filter_map(|row| match row {
-        Row::Line(line) => Some(line),
-        _ => None,
-    });
+    let mut lines = document.lines();
     lines.any(|line| line.sides.iter().any(|side| has(side, letter)))
 }
 

@@ -61,7 +61,7 @@ pub(super) fn route(board: &mut Board<'_>, line: usize) -> Route {
 /// The laws without which a line does not follow from the lines before it. The laws alone may say all that it does; what the
 /// lines say is not taken from them.
 fn needed_laws(board: &mut Board<'_>, line: usize) -> Vec<Part> {
-    let mut laws = board.laws().components().to_vec();
+    let laws = board.laws().components().to_vec();
     let Some(goals) = board.key[line].parts.clone() else {
         return vec![];
     };
@@ -86,8 +86,7 @@ fn needed_laws(board: &mut Board<'_>, line: usize) -> Vec<Part> {
             left = fewer;
         }
     }
-    laws = left.into_iter().map(|own| laws[own].clone()).collect();
-    laws
+    left.into_iter().map(|own| laws[own].clone()).collect()
 }
 
 /// The lines before a line that may lead to it: one that says the same is no step towards it.

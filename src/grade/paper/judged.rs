@@ -3,7 +3,7 @@
 use crate::grade::key::Key;
 use crate::grade::meaning::Meaning;
 use crate::notation::ast::{Kind, Relation};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Item};
 use crate::verify::{Finding, Report, Role, Verdict, Written};
 
 /// What was found of all documents at one stage.
@@ -86,15 +86,7 @@ fn name_letters(
 
 /// Whether a side of an equation is a letter of which the key does not speak.
 fn names_letter(key: &Key, document: &Document, finding: &Finding) -> bool {
-    let formulas = document.items.iter().filter_map(|item| match item {
-        Item::Formula(formula) => Some(&formula.rows),
-        _ => None,
-    });
-    let mut lines = formulas.flatten().filter_map(|row| match row {
-        Row::Line(line) => Some(line),
-        _ => None,
-    });
-    let line = lines.find(|line| line.span == finding.span);
+    let line = document.lines().find(|line| line.span == finding.span);
     line.is_some_and(|line| {
         let equal = line
             .relations

@@ -2,7 +2,7 @@
 
 use crate::grade::key::Key;
 use crate::notation::ast::{Kind, Node, Symbol};
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::Document;
 use crate::source::Span;
 use crate::verify::{Verdict, written_symbols};
 
@@ -41,7 +41,7 @@ pub(super) fn products(key: &Key, said: Option<&str>, documents: &[Document]) ->
 
 /// As the first matrix or integral shows in which products of inertia stand.
 fn shown(documents: &[Document]) -> Option<(bool, &'static str)> {
-    let mut lines = documents.iter().flat_map(lines);
+    let mut lines = documents.iter().flat_map(Document::lines);
     lines.find_map(|line| {
         let mut sides = line.sides.iter();
         let by_matrix = sides.find_map(in_tree).map(|entries| (entries, MATRIX));
@@ -62,17 +62,6 @@ fn shown(documents: &[Document]) -> Option<(bool, &'static str)> {
 
 const MATRIX: &str = "your matrix shows it";
 const INTEGRAL: &str = "your integral shows it";
-
-fn lines(document: &Document) -> impl Iterator<Item = &crate::notation::ast::Line> {
-    let formulas = document.items.iter().filter_map(|item| match item {
-        Item::Formula(formula) => Some(formula),
-        _ => None,
-    });
-    formulas.flat_map(|f| &f.rows).filter_map(|row| match row {
-        Row::Line(line) => Some(line),
-        _ => None,
-    })
-}
 
 /// What the first matrix of inertia in a tree shows.
 fn in_tree(node: &Node) -> Option<bool> {
@@ -177,6 +166,8 @@ fn matrix_lines(document: &Document) -> Vec<Span> {
     fn square(node: &Node) -> bool {
         matches!(&node.kind, Kind::Matrix(rows) if is_square(rows)) || node.children().any(square)
     }
-    let squares = lines(document).filter(|line| line.sides.iter().any(square));
+    let squares = document
+        .lines()
+        .filter(|line| line.sides.iter().any(square));
     squares.map(|line| line.span).collect()
 }

@@ -66,7 +66,7 @@ impl Marker<'_> {
 
     /// The components of a line of the key or, from the number of these on, what its ends say, with wrong ones of the student
     /// in place of those that they are meant to be.
-    pub(super) fn with_wrong(
+    fn with_wrong(
         &mut self,
         step: usize,
         from: usize,
@@ -130,8 +130,7 @@ impl Marker<'_> {
             let lines = self.with_law_of_own(attempt.goal, line, law);
             self.board.say_together(&lines, std::slice::from_ref(&part)) == Some(true)
         });
-        let slip = by_own.or_else(|| self.carried_by_own_way(attempt.goal, line, &part));
-        Some(slip.into_iter().collect())
+        Some(by_own.into_iter().collect())
     }
 
     /// Wrong lines before a line that stand for a law which the key's way to a goal needs and no line of the key says.

@@ -35,9 +35,7 @@ impl Marker<'_> {
             return decision(Outcome::None, Some(line), leap);
         }
         if self.key.policy.working
-            && let Some(law) = self
-                .denied_by_own_law(goal, line)
-                .or_else(|| self.denied_by_own_way(goal, line))
+            && let Some(law) = self.denied_by_own_law(goal, line)
         {
             let (own, law) = (self.name(line), self.name(law));
             let reason = format!(

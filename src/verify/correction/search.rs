@@ -1,7 +1,7 @@
 //! Tries the changes of a false line by the facts in force where it stands, until one of them makes it provable.
 
 use crate::notation::ast::{Kind, Line, Node, Symbol};
-use crate::notation::document::{Document, Format, Formula, Item, Row};
+use crate::notation::document::{Document, Format};
 use crate::source::Span;
 use crate::verify::Diagnosis;
 use crate::verify::correction::by_terms::{Letters, Terms};
@@ -36,7 +36,9 @@ pub(crate) fn corrections(judge: &mut Judge<'_>) -> HashMap<Span, Diagnosis> {
     let refuted = judge.judged.iter().filter(|j| j.answer == Answer::Refuted);
     let refuted: HashMap<Span, Judged> = refuted.map(|j| (j.span, j.clone())).collect();
     let short = |line: &&Line| line.span.end - line.span.start <= LONGEST;
-    let each = lines(document).filter(|line| refuted.contains_key(&line.span));
+    let each = document
+        .lines()
+        .filter(|line| refuted.contains_key(&line.span));
     let each: Vec<&Line> = each.filter(short).take(MOST_LINES).collect();
     let (mut found, mut left) = (HashMap::new(), MOST_WORK);
     let mut letters = Rc::default();
@@ -210,20 +212,9 @@ fn letters<'d>(document: &'d Document, line: &'d Line) -> Vec<(&'d str, &'d Symb
     }
     let mut found = vec![];
     let own = line.sides.iter();
-    let all = lines(document).flat_map(|line| &line.sides);
+    let all = document.lines().flat_map(|line| &line.sides);
     for side in own.chain(all) {
         collect(document, side, &mut found);
     }
     found
-}
-
-fn lines(document: &Document) -> impl Iterator<Item = &Line> {
-    let formulas = document.items.iter().filter_map(|item| match item {
-        Item::Formula(Formula { rows, .. }) => Some(rows),
-        _ => None,
-    });
-    formulas.flatten().filter_map(|row| match row {
-        Row::Line(line) => Some(line),
-        _ => None,
-    })
 }

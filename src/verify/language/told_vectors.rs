@@ -272,7 +272,7 @@ fn product(statement: &Statement, told: &[Formula]) -> Option<Valued> {
 }
 
 /// A formula as formulas inside others are written.
-fn alike(formula: &Formula) -> Formula {
+pub(super) fn alike(formula: &Formula) -> Formula {
     formula.node().map_or_else(|| formula.clone(), Formula::of)
 }
 

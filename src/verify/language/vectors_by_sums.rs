@@ -2,6 +2,7 @@
 
 use super::heads::{ACCELERATION, ANGULAR_VELOCITY, VELOCITY};
 use super::statement::{Declaration, Extent, Formula, NounPhrase, Slot, Statement, Term};
+use super::told_vectors::alike;
 use crate::notation::ast::{Kind, Node};
 
 /// Vectors that are told so.
@@ -83,9 +84,4 @@ fn letters_before(sum: &Node, axes: &[Formula]) -> Option<Vec<Formula>> {
     };
     let nodes = terms.iter().map(|term| &term.node);
     nodes.zip(axes).map(letter).collect()
-}
-
-/// A formula as formulas inside others are written.
-fn alike(formula: &Formula) -> Formula {
-    formula.node().map_or_else(|| formula.clone(), Formula::of)
 }

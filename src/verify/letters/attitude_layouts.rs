@@ -4,7 +4,6 @@ use crate::notation::ast::Symbol;
 use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::attitude_reading::{AttitudeReading, Part, Spelling};
 use crate::verify::letters::usage::{Letter, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::attitude_words::{Sentence, sentences};
 use crate::verify::words::book::has_any;
 use std::collections::BTreeMap;
@@ -53,12 +52,14 @@ impl AttitudeReading {
                 ..document.clone()
             };
             let mut reading = Self::default();
-            let all: Vec<&Symbol> = lines(&part)
+            let all: Vec<&Symbol> = part
+                .lines()
                 .flat_map(|line| &line.sides)
                 .flat_map(symbols)
                 .collect();
             reading.find_quaternion(&all, &sentences(&part), taken);
-            lines(&part).for_each(|line| line.sides.iter().for_each(|side| reading.layout(side)));
+            part.lines()
+                .for_each(|line| line.sides.iter().for_each(|side| reading.layout(side)));
             Layout {
                 start: items.iter().find_map(place).unwrap_or(0),
                 scalar_last: reading.scalar_last,

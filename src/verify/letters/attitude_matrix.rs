@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::attitude_reading::AttitudeReading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
-use crate::verify::repair::lines;
 use crate::verify::words::attitude_words::{Sentence, way};
 use crate::verify::words::book::has_any;
 use std::collections::BTreeSet;
@@ -40,7 +39,7 @@ impl AttitudeReading {
         let about_turning = said.iter().any(|s| has_any(&s.text, &stems));
         let mut found: Vec<Letter> = vec![];
         let mut made: BTreeSet<Letter> = BTreeSet::new();
-        for line in lines(document) {
+        for line in document.lines() {
             // What turned things before it is written out is written out for an example.
             if let [left, rest @ ..] = line.sides.as_slice()
                 && let Kind::Symbol(symbol) = &inner(left).kind

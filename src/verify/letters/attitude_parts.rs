@@ -4,13 +4,12 @@ use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::attitude_reading::{AttitudeReading, Part, spelling};
 use crate::verify::letters::usage::{Letter, inner, symbols};
-use crate::verify::repair::lines;
 
 impl AttitudeReading {
     /// Takes in what lines say of the whole, and then of the vector part; `taken` tells letters that stand for something
     /// else.
     pub(crate) fn name_parts(&mut self, document: &Document, taken: &impl Fn(&Letter) -> bool) {
-        for line in lines(document) {
+        for line in document.lines() {
             let [left, list] = line.sides.as_slice() else {
                 continue;
             };

@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::letters::attitude_layouts::{Layout, is_vector_part};
 use crate::verify::letters::turns_from_left::turns_from_left;
 use crate::verify::letters::usage::{Letter, inner, symbols, undotted};
-use crate::verify::repair::lines;
 use crate::verify::theory::attitude_law::Convention;
 use crate::verify::values::spatial::{BODY, LETTERS, WORDS};
 use crate::verify::words::attitude_words::{Sentence, Way, rate_in_space, way};
@@ -59,16 +58,18 @@ impl AttitudeReading {
         let mut reading = Self::default();
         let sentences = document.named_sentences();
         let speaks = |word: &str| sentences.iter().any(|s| s.text.contains(word));
-        let all: Vec<&Symbol> = lines(document)
+        let all: Vec<&Symbol> = document
+            .lines()
             .flat_map(|line| &line.sides)
             .flat_map(symbols)
             .collect();
         if speaks("quaternion") || speaks("euler parameter") {
             reading.find_quaternion(&all, sentences, taken);
             reading.name_parts(document, taken);
-            lines(document)
+            document
+                .lines()
                 .for_each(|line| line.sides.iter().for_each(|side| reading.layout(side)));
-            reading.circled = lines(document).any(|line| {
+            reading.circled = document.lines().any(|line| {
                 let mut sides = line.sides.iter();
                 sides.any(|side| reading.has_circled_product(side))
             });

@@ -3,7 +3,6 @@
 use crate::notation::document::{Document, Item};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, symbols};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::{Quantity, Shape};
 use std::collections::BTreeSet;
 
@@ -58,7 +57,8 @@ impl Reading {
         let one = |letter: &&Letter| {
             let met = self.usage.subscripts.get(letter).into_iter().flatten();
             let label = |l: &String| labels.contains(&l.as_str()) || BODY.contains(&l.as_str());
-            let mut all = lines(document)
+            let mut all = document
+                .lines()
                 .flat_map(|line| &line.sides)
                 .flat_map(symbols);
             let bare = all.any(|s| s.subscripts.is_empty() && Letter::of(s) == **letter);

@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Formula, Item, Row};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{inner, symbols};
-use crate::verify::repair::lines;
 
 /// Words between what holds at an instant and that instant.
 const AT: &[&str] = &[
@@ -77,7 +76,7 @@ fn names_time(line: &Line) -> bool {
 
 /// Whether a line says what a symbol is at all times.
 fn is_solved(symbol: &Symbol, document: &Document) -> bool {
-    lines(document).any(|line| {
+    document.lines().any(|line| {
         let [left, rest @ ..] = line.sides.as_slice() else {
             return false;
         };

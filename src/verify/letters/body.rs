@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
@@ -86,7 +85,7 @@ impl Reading {
 
 /// Whether a product of inertia stands somewhere as an integral or a sum, `P = ∫ xy dm`, whatever it is called.
 pub(crate) fn integrates_a_product(document: &Document) -> bool {
-    let mut sides = lines(document).flat_map(|line| &line.sides);
+    let mut sides = document.lines().flat_map(|line| &line.sides);
     sides.any(|side| match &inner(side).kind {
         Kind::Negate(inside) => is_product_integral(inner(inside)),
         _ => is_product_integral(inner(side)),

@@ -3,7 +3,6 @@
 use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::text::Text;
 
@@ -40,7 +39,7 @@ impl Reading {
         if !turns || document.says(RELATIVE) || self.speaks_of(Quantity::FrameRate) {
             return None;
         }
-        let place = lines(document).find_map(|line| {
+        let place = document.lines().find_map(|line| {
             let (last, others) = line.sides.split_last()?;
             let place = self.arm_of_turn(last)?;
             others
@@ -49,7 +48,7 @@ impl Reading {
                 .then_some(place)
         })?;
         let own = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s == place);
-        let mut all = lines(document).flat_map(|line| &line.sides);
+        let mut all = document.lines().flat_map(|line| &line.sides);
         all.all(|side| !own(side) && !self.changes_beside(side, place))
             .then(|| place.clone())
     }

@@ -8,7 +8,6 @@ use crate::notation::ast::{Factor, Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::atoms::{Atoms, Entity, Owner};
 use crate::verify::values::quantity::{Quantity, Shape};
 use crate::verify::values::symbol::Meaning;
@@ -87,7 +86,7 @@ impl Reading {
             return;
         }
         let document: &Document = text;
-        let sides: Vec<&Node> = lines(document).flat_map(|line| &line.sides).collect();
+        let sides: Vec<&Node> = document.lines().flat_map(|line| &line.sides).collect();
         let mut crossed: Vec<(Symbol, Symbol)> = vec![];
         sides
             .iter()
@@ -96,7 +95,7 @@ impl Reading {
         let [(momentum, turn)] = crossed.as_slice() else {
             return;
         };
-        let mut spins = lines(document).filter_map(|line| {
+        let mut spins = document.lines().filter_map(|line| {
             let spin = self.spin_of(&line.sides, momentum)?;
             Some((spin, [&line.sides[0], &line.sides[1]]))
         });

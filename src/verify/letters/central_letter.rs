@@ -6,7 +6,6 @@ use crate::notation::document::{Document, Item};
 use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::two_points::every_symbol;
 use crate::verify::letters::usage::{axes, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::book::{has_any, lowered};
 
 /// Letters of tensors of inertia.
@@ -26,7 +25,7 @@ pub(crate) fn bar_central_letter(document: &mut Document) {
         Item::Prose { text, .. } => has_any(&lowered(text), CENTRE),
         _ => false,
     });
-    let Some((whole, central)) = lines(document).find_map(shifted).filter(|_| speaks) else {
+    let Some((whole, central)) = document.lines().find_map(shifted).filter(|_| speaks) else {
         return;
     };
     let bars = |s: &&Symbol| s.style.bar && (s.name == whole || s.name == central);

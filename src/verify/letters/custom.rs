@@ -5,7 +5,6 @@ use crate::notation::document::{Document, Item, Row};
 use crate::verify::letters::convention::signed;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
@@ -39,7 +38,7 @@ impl Reading {
     /// Letters that a line sets equal to something with a weight in it, `E = … - mgd\cos\theta`, or with a term beside
     /// that of a rate in which nothing moves but the angle, are no kinetic energies; nor are products of inertia.
     pub(crate) fn note_totals(&mut self, document: &Document) {
-        for line in lines(document) {
+        for line in document.lines() {
             let [left, rest @ ..] = line.sides.as_slice() else {
                 continue;
             };
@@ -65,7 +64,7 @@ impl Reading {
             };
             term.negative && matches!(&inner(&term.node).kind, Kind::Symbol(s) if point(s))
         };
-        for line in lines(document) {
+        for line in document.lines() {
             for side in &line.sides {
                 let Kind::TimeDerivative { operand, .. } = &inner(side).kind else {
                     continue;

@@ -2,7 +2,6 @@
 
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::letters::usage::{Letter, Usage, axis, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
 use crate::verify::words::text::Text;
 
@@ -13,7 +12,7 @@ const SAID: &[&str] = &["complex", "imaginary", "\\sqrt{-1}"];
 /// that moves, has an index or a direction.
 pub(crate) fn has_imaginary_unit(text: &Text, usage: &Usage) -> bool {
     let used = usage.get(&Letter::plain("i"));
-    let sides = || lines(text).flat_map(|line| &line.sides);
+    let sides = || text.lines().flat_map(|line| &line.sides);
     // Beside a unit vector with a mark, an upright i is the unit; with an upright j or k it is one of a triad.
     let upright = |name: &str| {
         let mut all = sides().flat_map(symbols);

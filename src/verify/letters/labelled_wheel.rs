@@ -5,7 +5,6 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::verify::letters::one_axis::wheel_axis;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::text::Text;
 use std::collections::BTreeSet;
@@ -80,7 +79,9 @@ impl Reading {
             let of_all = letter == whole || called(whole, Quantity::Momentum);
             momentum && of_all && !by_words && self.usage.get(letter).vector == 0
         };
-        let met = lines(document).filter_map(|line| LabelledWheel::in_line(&line.sides));
+        let met = document
+            .lines()
+            .filter_map(|line| LabelledWheel::in_line(&line.sides));
         let met: BTreeSet<_> = met.filter(of_wheel).collect();
         let mut met = met.into_iter();
         let (Some((whole, mut wheel)), None) = (met.next(), met.next()) else {

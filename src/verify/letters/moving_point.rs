@@ -5,7 +5,6 @@ use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::two_points::{CENTRES, every_symbol};
 use crate::verify::letters::usage::{Letter, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::sentences::{Paragraphs, sentences};
 use std::collections::BTreeSet;
@@ -88,7 +87,7 @@ impl Reading {
                 let mut met = symbols(side).into_iter();
                 met.any(|s| Some(s) == other.velocity.as_ref()) || holds_rate_of(side, &arm)
             };
-            lines(document).any(|line| {
+            document.lines().any(|line| {
                 line.sides.first().is_some_and(own) && line.sides[1..].iter().any(shift)
             })
         });
@@ -115,7 +114,7 @@ fn point(symbol: &Symbol) -> Option<&str> {
 /// The vector from the other point to the centre: by a line, by its own indices, or by words.
 fn arm(document: &Document, centre: &AtPoint, other: &AtPoint) -> Option<Symbol> {
     let by_line = || {
-        lines(document).find_map(|line| {
+        document.lines().find_map(|line| {
             let [left, right] = line.sides.as_slice() else {
                 return None;
             };

@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::words::text::Text;
 use std::collections::BTreeSet;
@@ -142,7 +141,7 @@ impl Reading {
     /// The axis k of the only moment I_k that a number ω multiplies: of `T = \frac12 I_1\omega^2`.
     fn axis_of_moment(&self, document: &Document, rate: &Letter) -> Option<u8> {
         let mut met = BTreeSet::new();
-        let products = lines(document).flat_map(|line| &line.sides);
+        let products = document.lines().flat_map(|line| &line.sides);
         products.for_each(|side| self.moments_beside(side, rate, &mut met));
         let mut met = met.into_iter();
         met.next().filter(|_| met.next().is_none())

@@ -3,7 +3,6 @@
 use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::usage::{inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
 use crate::verify::words::text::Text;
 
@@ -99,7 +98,8 @@ fn place_of_particle(document: &Document) -> Option<&Symbol> {
         };
         here.or_else(|| node.children().find_map(within))
     }
-    lines(document)
+    document
+        .lines()
         .flat_map(|line| &line.sides)
         .find_map(within)
 }

@@ -6,7 +6,6 @@ use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner};
 use crate::verify::lines::defined_squares::is_two;
-use crate::verify::repair::lines;
 use num_traits::{One, ToPrimitive};
 
 /// Letters that may be a period, and something else in another document.
@@ -15,7 +14,7 @@ const LETTERS: &[&str] = &["T", "tau", "P"];
 impl Reading {
     /// Notes the letters that lines of a document use for a period, or for frequencies.
     pub(crate) fn note_periods(&mut self, document: &Document) {
-        for line in lines(document) {
+        for line in document.lines() {
             let [left, rest @ ..] = line.sides.as_slice() else {
                 continue;
             };

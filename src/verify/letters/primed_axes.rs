@@ -5,7 +5,6 @@ use crate::notation::document::{Document, Item};
 use crate::verify::letters::point_labels::{COORDINATES, formulas_mut};
 use crate::verify::letters::two_points::every_symbol;
 use crate::verify::letters::usage::{axes, axis, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
 
 /// Words of axes that are moved and not turned.
@@ -44,7 +43,7 @@ pub(crate) fn label_primed_axes(document: &mut Document) {
         let plain = tensors.any(|s| index(s, |i| axis(i).is_some() || axes(i).is_some()));
         mass && primed && plain
     };
-    let relates = lines(document).any(|line| related(&line.sides));
+    let relates = document.lines().any(|line| related(&line.sides));
     let taken = |s: &&Symbol| s.subscripts.iter().any(|i| i == OTHER || i == CENTRE);
     let taken = every_symbol(document).iter().any(taken);
     if !said || texts.any(turned) || !relates || taken {

@@ -4,7 +4,6 @@ use crate::notation::ast::{DerivativeStyle, Kind, Line, Node, Symbol};
 use crate::notation::document::{Document, Item};
 use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::usage::{axis, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
 
 /// Writes dots for the primes of a document whose words or equations say that they are rates.
@@ -33,8 +32,8 @@ fn said(document: &Document) -> bool {
 
 /// Whether no other mark of a rate is met, and Euler's equations stand there with primes.
 fn shown(document: &Document) -> bool {
-    let mut sides = lines(document).flat_map(|line| &line.sides);
-    !sides.any(has_rate) && lines(document).any(is_eulers)
+    let mut sides = document.lines().flat_map(|line| &line.sides);
+    !sides.any(has_rate) && document.lines().any(is_eulers)
 }
 
 fn has_rate(node: &Node) -> bool {

@@ -7,7 +7,6 @@ use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::raised::raised;
-use crate::verify::repair::lines;
 use std::collections::BTreeSet;
 
 /// Letters of frames; an n or a k counts steps.
@@ -16,7 +15,8 @@ const LABELS: &[&str] = &["b", "s", "e", "w", "o", "a"];
 /// Puts labels that stand where powers do under their symbols.
 pub(crate) fn lower_labels(document: &mut Document) {
     let mut labels = BTreeSet::new();
-    lines(document)
+    document
+        .lines()
         .flat_map(|line| &line.sides)
         .for_each(|side| note(side, &mut labels));
     // Where several are, what stands without one may be on any axes.

@@ -8,7 +8,6 @@ use crate::notation::document::Document;
 use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::raised::raised;
 use crate::verify::letters::usage::inner;
-use crate::verify::repair::lines;
 use std::collections::BTreeSet;
 
 /// Letters that count steps.
@@ -19,7 +18,8 @@ const STEPPED: &[&str] = &["omega", "Omega", "w", "L", "H", "h", "q", "Q", "R", 
 /// Puts numbers of steps that stand where powers do under their symbols.
 pub(crate) fn lower_steps(document: &mut Document) {
     let mut counters = BTreeSet::new();
-    lines(document)
+    document
+        .lines()
         .flat_map(|line| &line.sides)
         .for_each(|side| note(side, &mut counters));
     if !counters.is_empty() {

@@ -5,7 +5,6 @@ use crate::notation::ast::{Kind, Node};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use num_traits::Signed;
 use std::collections::BTreeSet;
@@ -14,7 +13,8 @@ impl Reading {
     /// Of moments or momenta that are added to one another, those that a line of its own tells are symbols of the
     /// document, and the others too where several are left.
     pub(crate) fn part_rivals(&mut self, document: &Document) {
-        let sums: Vec<BTreeSet<Letter>> = lines(document)
+        let sums: Vec<BTreeSet<Letter>> = document
+            .lines()
             .flat_map(|line| &line.sides)
             .flat_map(sums)
             .collect();
@@ -41,7 +41,7 @@ impl Reading {
             return;
         }
         let momentum = |letter: &Letter| self.quantities.get(letter) == Some(&Quantity::Momentum);
-        let stored = lines(document).find_map(|line| {
+        let stored = document.lines().find_map(|line| {
             let [left, right] = line.sides.as_slice() else {
                 return None;
             };
@@ -60,7 +60,7 @@ impl Reading {
     /// Of two tensors in `\mathbf J = R\,\mathbf I R^T`, the one that is turned to is a symbol of the document.
     pub(crate) fn part_turned_tensor(&mut self, document: &Document) {
         let inertia = |letter: &Letter| self.quantities.get(letter) == Some(&Quantity::Inertia);
-        let turned = lines(document).find_map(|line| {
+        let turned = document.lines().find_map(|line| {
             let [left, right] = line.sides.as_slice() else {
                 return None;
             };
@@ -93,7 +93,7 @@ impl Reading {
     /// Of two letters of the inertia in `J = I^{-1}`, the inverse is a symbol of the document.
     pub(crate) fn part_inverse_tensor(&mut self, document: &Document) {
         let inertia = |letter: &Letter| self.quantities.get(letter) == Some(&Quantity::Inertia);
-        let inverse = lines(document).find_map(|line| {
+        let inverse = document.lines().find_map(|line| {
             let [left, right] = line.sides.as_slice() else {
                 return None;
             };
@@ -130,13 +130,15 @@ impl Reading {
             matches!(&inner(operand).kind, Kind::Symbol(s)
                 if is(&Letter::of(s), Quantity::RelativeMomentum))
         };
-        let torques = lines(document).filter_map(|line| match line.sides.as_slice() {
-            [left, right] if rate_of_wheels(right) => match &inner(left).kind {
-                Kind::Symbol(torque) => Some(Letter::of(torque)),
+        let torques = document
+            .lines()
+            .filter_map(|line| match line.sides.as_slice() {
+                [left, right] if rate_of_wheels(right) => match &inner(left).kind {
+                    Kind::Symbol(torque) => Some(Letter::of(torque)),
+                    _ => None,
+                },
                 _ => None,
-            },
-            _ => None,
-        });
+            });
         let torques: Vec<Letter> = torques.filter(|l| is(l, Quantity::Moment)).collect();
         for letter in torques {
             self.quantities.remove(&letter);
@@ -147,7 +149,8 @@ impl Reading {
 
 /// Whether the three differences of A, B and C stand in a document, as they do in Euler's equations.
 pub(crate) fn has_differences(document: &Document) -> bool {
-    let sums: Vec<BTreeSet<Letter>> = lines(document)
+    let sums: Vec<BTreeSet<Letter>> = document
+        .lines()
         .flat_map(|line| &line.sides)
         .flat_map(sums)
         .collect();

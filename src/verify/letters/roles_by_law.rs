@@ -5,7 +5,6 @@ use crate::notation::ast::{Factor, Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axis, inner, symbols, undotted};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use num_traits::ToPrimitive;
 
@@ -21,7 +20,7 @@ impl Reading {
             return;
         }
         let mut found = Coefficients::default();
-        for line in lines(document) {
+        for line in document.lines() {
             let sides = line.sides.iter();
             sides.for_each(|side| self.coefficients(side, &mut found));
         }
@@ -46,7 +45,7 @@ impl Reading {
     /// The vector that a line sets against m**a** is a force, where words stand nearer to "moment" than to "force".
     pub(crate) fn by_force_law(&mut self, document: &Document) {
         let plain = |node: &Node, name: &str, vector: bool| matches!(&inner(node).kind, Kind::Symbol(s) if s.name == name && s.style.vector == vector);
-        for line in lines(document) {
+        for line in document.lines() {
             let [left, right] = line.sides.as_slice() else {
                 continue;
             };
@@ -69,7 +68,7 @@ impl Reading {
 
     /// What a line has as the inertia times ω is the angular momentum, whatever words stand near other letters.
     pub(crate) fn by_momentum_law(&mut self, document: &Document) {
-        let found = lines(document).find_map(|line| {
+        let found = document.lines().find_map(|line| {
             let [left, right, ..] = line.sides.as_slice() else {
                 return None;
             };
@@ -103,7 +102,7 @@ impl Reading {
         if self.speaks_of(Quantity::Momentum) {
             return;
         }
-        let found = lines(document).find_map(|line| {
+        let found = document.lines().find_map(|line| {
             let [left, right, ..] = line.sides.as_slice() else {
                 return None;
             };
@@ -164,7 +163,7 @@ impl Reading {
         if self.quantities.values().any(|q| *q == Quantity::Moment) {
             return;
         }
-        let found = lines(document).find_map(|line| {
+        let found = document.lines().find_map(|line| {
             let [one, other] = line.sides.as_slice() else {
                 return None;
             };

@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Node, Symbol, Term};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 
 impl Reading {
@@ -117,7 +116,7 @@ impl Reading {
             let part = self.components.get(&Letter::of(symbol));
             matches!(part, Some((Quantity::AngularVelocity, _))) && symbol.subscripts.is_empty()
         };
-        let found = lines(document).filter_map(|line| {
+        let found = document.lines().filter_map(|line| {
             let [left, right] = line.sides.as_slice() else {
                 return None;
             };

@@ -4,7 +4,6 @@
 use crate::notation::ast::{Kind, Node, Operator, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::spatial::{LETTERS, WORDS};
 use crate::verify::words::attitude_words::{SPACE as WORDS_OF_SPACE, rate_in_space};
@@ -90,7 +89,8 @@ impl SpaceAxes {
             ..Self::default()
         };
         // Where ω wears no label, words may put it on the body's axes all the same.
-        let mut all = lines(document)
+        let mut all = document
+            .lines()
             .flat_map(|line| &line.sides)
             .flat_map(symbols);
         let labelled_rate = all.any(|s| s.name == "omega" && found.without_label(s).is_some());
@@ -162,7 +162,7 @@ impl SpaceAxes {
 /// The letter of a tensor that is turned from the body's axes to those of the world, and its labels there and here:
 /// `I_w = R I_b R^T`.
 pub(crate) fn turned_labels(document: &Document) -> Option<(String, String, String)> {
-    lines(document).find_map(|line| {
+    document.lines().find_map(|line| {
         let [left, right] = line.sides.as_slice() else {
             return None;
         };
@@ -194,7 +194,7 @@ fn turned_tensor<'d>(
     document: &'d Document,
     matrix: Option<&Letter>,
 ) -> Option<(&'d Symbol, &'d Symbol)> {
-    lines(document).find_map(|line| {
+    document.lines().find_map(|line| {
         let mut pairs = line.sides.windows(2);
         pairs.find_map(|pair| {
             let either = [(&pair[0], &pair[1]), (&pair[1], &pair[0])];
@@ -219,7 +219,7 @@ fn turned_letters(
     kind: &dyn Fn(&Symbol) -> bool,
     to_body: bool,
 ) -> Option<(Letter, Letter)> {
-    lines(document).find_map(|line| {
+    document.lines().find_map(|line| {
         let [left, right] = line.sides.as_slice() else {
             return None;
         };
@@ -247,7 +247,7 @@ fn turned_vector<'d>(
         Kind::Symbol(symbol) => Some(symbol),
         _ => None,
     };
-    lines(document).find_map(|line| {
+    document.lines().find_map(|line| {
         let [left, right] = line.sides.as_slice() else {
             return None;
         };
@@ -290,7 +290,7 @@ fn is_by_plain_rate(
     let rate = |s: &Symbol| quantities.get(&Letter::of(s)) == Some(&Quantity::AngularVelocity);
     let is_momentum = |side: &Node| matches!(&inner(side).kind, Kind::Symbol(s) if s == momentum);
     let plain = |s: &&Symbol| s.subscripts.is_empty() && rate(s);
-    lines(document).any(|line| {
+    document.lines().any(|line| {
         line.sides.iter().any(is_momentum) && line.sides.iter().flat_map(symbols).any(|s| plain(&s))
     })
 }

@@ -9,7 +9,6 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::spin_axis::unit_axis;
 use crate::verify::letters::usage::{Letter, inner};
-use crate::verify::repair::lines;
 use crate::verify::theory::Premise;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::quantity::Quantity;
@@ -46,7 +45,7 @@ impl Reading {
             (whole && self.quantities.get(&letter) == Some(&Quantity::Momentum)).then_some(letter)
         };
         let mut given = vec![];
-        for line in lines(document) {
+        for line in document.lines() {
             let [left, right] = line.sides.as_slice() else {
                 continue;
             };
@@ -133,7 +132,7 @@ impl Checker<'_> {
             let lone = |node: &Node| matches!(&inner(node).kind, Kind::Symbol(s) if !s.style.vector && s.subscripts.is_empty() && Letter::of(s) == rate);
             vector && factors.len() == 2 && lone(&factors[0].node)
         };
-        let mut found = lines(self.document).filter(named);
+        let mut found = self.document.lines().filter(named);
         let (Some(line), None) = (found.next(), found.next()) else {
             return;
         };

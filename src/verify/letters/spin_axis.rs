@@ -4,7 +4,6 @@
 use crate::notation::ast::{Factor, Kind, Node, Symbol, Term};
 use crate::notation::document::Document;
 use crate::verify::letters::usage::{axis, inner};
-use crate::verify::repair::lines;
 
 /// The components of a vector as they are written.
 type Components = [String; 3];
@@ -12,7 +11,7 @@ type Components = [String; 3];
 /// The axis of the spin. Inertia that does not change on such axes is that of a body which is symmetric about it.
 pub(crate) fn spin_axis(document: &Document) -> Option<u8> {
     let mut written: [Option<Components>; 2] = [None, None];
-    for line in lines(document) {
+    for line in document.lines() {
         let [left, right] = line.sides.as_slice() else {
             continue;
         };

@@ -7,7 +7,6 @@ use crate::verify::letters::attitude_matrix::MATRIX_LETTERS;
 use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::two_points::every_symbol;
 use crate::verify::letters::usage::inner;
-use crate::verify::repair::lines;
 
 /// The label in the place of the prime.
 pub(crate) const TURNED: &str = "s";
@@ -15,7 +14,7 @@ pub(crate) const TURNED: &str = "s";
 /// Writes the label of space for the primes of a document in which a line turns a letter into the one with a prime;
 /// whether there were any.
 pub(crate) fn label_turned_primes(document: &mut Document) -> bool {
-    let Some(matrix) = lines(document).find_map(turning_matrix).cloned() else {
+    let Some(matrix) = document.lines().find_map(turning_matrix).cloned() else {
         return false;
     };
     let taken = |s: &&Symbol| {

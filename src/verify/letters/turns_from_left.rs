@@ -4,7 +4,6 @@
 use crate::notation::ast::{Kind, Node, Symbol};
 use crate::notation::document::Document;
 use crate::verify::letters::usage::{Letter, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::words::book::has_any;
 
 /// Words that put it on the body.
@@ -13,7 +12,7 @@ const ON_BODY: &[&str] = &["body rate", "body angular velocity", "body-fixed ang
 /// Whether the lines show it, for the letter of the matrix.
 pub(crate) fn turns_from_left(document: &Document, matrix: &Letter) -> bool {
     let mut found = false;
-    for line in lines(document) {
+    for line in document.lines() {
         let met: Vec<&Symbol> = line.sides.iter().flat_map(symbols).collect();
         let rate = |s: &&Symbol| s.name == "omega";
         let tensor = |s: &&Symbol| matches!(s.name.as_str(), "I" | "J") && s.subscripts.is_empty();

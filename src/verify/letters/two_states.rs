@@ -7,7 +7,6 @@ use crate::notation::document::Document;
 use crate::verify::letters::point_labels::formulas_mut;
 use crate::verify::letters::two_points::every_symbol;
 use crate::verify::letters::usage::inner;
-use crate::verify::repair::lines;
 
 /// The letters of the moment of inertia and of the rate.
 #[derive(Clone, Debug)]
@@ -31,20 +30,22 @@ impl TwoStates {
 
 /// Tells two states apart by labels, where a document sets their momenta equal and numbers no axes.
 pub(crate) fn tell_states_apart(document: &mut Document) -> Option<TwoStates> {
-    let states = lines(document).find_map(|line| match line.sides.as_slice() {
-        [left, right] => {
-            let (before, behind) = (momentum(left)?, momentum(right)?);
-            let same = before.inertia == behind.inertia && before.rate == behind.rate;
-            let numbered = |side: &Momentum, state: &str| side.state == state;
-            let both = numbered(&before, "1") && numbered(&behind, "2")
-                || numbered(&before, "2") && numbered(&behind, "1");
-            (same && both).then_some(TwoStates {
-                inertia: before.inertia,
-                rate: before.rate,
-            })
-        }
-        _ => None,
-    })?;
+    let states = document
+        .lines()
+        .find_map(|line| match line.sides.as_slice() {
+            [left, right] => {
+                let (before, behind) = (momentum(left)?, momentum(right)?);
+                let same = before.inertia == behind.inertia && before.rate == behind.rate;
+                let numbered = |side: &Momentum, state: &str| side.state == state;
+                let both = numbered(&before, "1") && numbered(&behind, "2")
+                    || numbered(&before, "2") && numbered(&behind, "1");
+                (same && both).then_some(TwoStates {
+                    inertia: before.inertia,
+                    rate: before.rate,
+                })
+            }
+            _ => None,
+        })?;
     let named = |symbol: &Symbol| [&states.inertia, &states.rate].contains(&&symbol.name);
     let numbers = |symbol: &Symbol| {
         let labels = symbol.subscripts.iter().map(String::as_str);
@@ -53,7 +54,8 @@ pub(crate) fn tell_states_apart(document: &mut Document) -> Option<TwoStates> {
     let all = every_symbol(document);
     let third = all.iter().any(|s| s.subscripts.iter().any(|s| s == "3"));
     let told = !third && all.into_iter().filter(|s| named(s)).all(numbers);
-    let moves = lines(document)
+    let moves = document
+        .lines()
         .flat_map(|line| &line.sides)
         .any(|side| has_rate(side, &states.rate));
     if !told || moves {

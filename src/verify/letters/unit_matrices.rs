@@ -4,13 +4,12 @@ use crate::notation::ast::{Factor, Kind, Node};
 use crate::notation::document::Document;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, inner};
-use crate::verify::repair::lines;
 
 impl Reading {
     /// Notes it, where no line says what the letter is.
     pub(crate) fn note_unit_matrices(&mut self, document: &Document) {
         let unit = Letter::plain("E");
-        let written = lines(document).flat_map(|line| &line.sides).any(adds_unit);
+        let written = document.lines().flat_map(|line| &line.sides).any(adds_unit);
         if written && !self.left_sides.contains(&unit) {
             self.identities.insert(unit);
         }

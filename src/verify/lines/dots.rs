@@ -6,7 +6,6 @@ use crate::verify::check::Checker;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner};
 use crate::verify::lines::line::Read;
-use crate::verify::repair::lines;
 use crate::verify::values::atoms::Owner;
 use crate::verify::values::lower::Trouble;
 use crate::verify::values::quantity::Quantity;
@@ -48,7 +47,12 @@ impl Checker<'_> {
             && sentence.contains("momentum")
             && has_any(sentence, ON_BODY)
             && !self.text.says(SPACE);
-        if told && lines(self.document).any(|line| self.writes_transport(&line.sides)) {
+        if told
+            && self
+                .document
+                .lines()
+                .any(|line| self.writes_transport(&line.sides))
+        {
             self.take(Said::DotsOnBody, span);
         }
     }

@@ -13,7 +13,6 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, undotted};
 use crate::verify::lines::index::is_equality;
 use crate::verify::lines::line::Read;
-use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, decide, passes_filter};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken, Theory};
@@ -111,7 +110,7 @@ impl Checker<'_> {
         }
         let inertia = self.theory.atoms.quantity(Quantity::Inertia);
         let lone = |side: &Node| matches!(undotted(side).kind, Kind::Symbol(_));
-        for line in lines(self.document) {
+        for line in self.document.lines() {
             let equal = line.relations.iter().all(|(r, _)| is_equality(*r));
             let of_body = equal
                 && line.sides.len() > 1
@@ -267,7 +266,7 @@ impl Checker<'_> {
         let angles: BTreeSet<Entity> = letters.iter().filter_map(|l| self.angle(l)).collect();
         let mut found = vec![];
         let mut before: Option<Node> = None;
-        for line in lines(self.document) {
+        for line in self.document.lines() {
             let mut sides = line.sides.clone();
             if let (true, Some(side)) = (line.continues, before.take()) {
                 sides.insert(0, side);

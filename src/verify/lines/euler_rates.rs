@@ -14,7 +14,6 @@ use crate::verify::check::Checker;
 use crate::verify::correction::edit::edited;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::inner;
-use crate::verify::repair::lines;
 use crate::verify::repair::slips::Slips;
 use crate::verify::theory::decide::passes_filter;
 use crate::verify::theory::law::Axes;
@@ -93,7 +92,7 @@ impl Checker<'_> {
         let document = self.document;
         self.component_on_the_left(first)?;
         let mut block: Vec<Component> = vec![];
-        let from = lines(document).skip_while(|line| line.span != first.span);
+        let from = document.lines().skip_while(|line| line.span != first.span);
         for line in from.take(NEAR) {
             let Some(component) = self.component_of_rates(line) else {
                 if block.is_empty() {

@@ -6,7 +6,6 @@ use crate::verify::check::Checker;
 use crate::verify::correction::edit::Edit;
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, inner, symbols};
-use crate::verify::repair::lines;
 use crate::verify::values::quantity::Quantity;
 use crate::verify::values::symbol::latex_name;
 
@@ -59,7 +58,9 @@ impl Checker<'_> {
     fn spelled_mass(&self) -> Option<String> {
         let is_mass =
             |letter: &Letter| self.reading.quantities.get(letter) == Some(&Quantity::Mass);
-        let mut written = lines(self.document)
+        let mut written = self
+            .document
+            .lines()
             .flat_map(|l| &l.sides)
             .flat_map(symbols);
         let symbol = written.find(|s| s.subscripts.is_empty() && is_mass(&Letter::of(s)))?;

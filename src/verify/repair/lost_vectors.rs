@@ -7,9 +7,9 @@ use crate::scalar::Prime;
 use crate::verify::check::Checker;
 use crate::verify::correction::edit::Edit;
 use crate::verify::letters::frame::Frame;
+use crate::verify::repair::Search;
 use crate::verify::repair::vocabulary::expression;
 use crate::verify::repair::wanted::values;
-use crate::verify::repair::{Search, lines};
 use crate::verify::theory::world::World;
 use crate::verify::values::quantity::Quantity;
 use num_traits::Zero;
@@ -66,7 +66,8 @@ impl Checker<'_> {
                 texts.push((text.to_owned(), node.clone()));
             }
         };
-        lines(document)
+        document
+            .lines()
             .flat_map(|l| &l.sides)
             .for_each(|side| visit(side, &mut keep));
         let own = self.moving_rate().and_then(|text| {

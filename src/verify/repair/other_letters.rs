@@ -4,7 +4,6 @@ use crate::notation::ast::{Kind, Line, Node};
 use crate::verify::check::Checker;
 use crate::verify::correction::edit::Edit;
 use crate::verify::letters::frame::Frame;
-use crate::verify::repair::lines;
 use crate::verify::repair::wanted::Wanted;
 
 /// Letters that are tried in one place.
@@ -44,7 +43,8 @@ impl Checker<'_> {
     fn vector_letters(&mut self) -> Vec<String> {
         let document = self.document;
         let mut met = vec![];
-        lines(document)
+        document
+            .lines()
             .flat_map(|l| &l.sides)
             .for_each(|side| symbols(side, &mut met));
         let mut texts: Vec<String> = vec![];

@@ -8,7 +8,6 @@ use crate::verify::check::Checker;
 use crate::verify::correction::edit::{dotted, other_axis, replaced_index, undotted};
 use crate::verify::letters::frame::Frame;
 use crate::verify::letters::usage::{Letter, axis};
-use crate::verify::repair::lines;
 use crate::verify::values::atoms::Entity;
 use crate::verify::values::symbol::Meaning;
 use std::cmp::Ordering;
@@ -111,7 +110,7 @@ impl Word {
 fn written_in(document: &Document) -> Vec<Vec<&str>> {
     let mut seen = BTreeSet::new();
     let mut found = vec![];
-    for side in lines(document).flat_map(|l| &l.sides) {
+    for side in document.lines().flat_map(|l| &l.sides) {
         if seen.len() >= WORDS {
             break;
         }

@@ -1,6 +1,6 @@
 //! Lines that sentences call given: what they set a letter to is known as if a sentence said it.
 
-use crate::notation::document::{Document, Item, Row};
+use crate::notation::document::{Document, Row};
 use crate::verify::language::statement::{Declaration, DeclaredRole, Extent, Formula, Statement};
 use crate::verify::reading::definitions_read::{definition_in, is_subject};
 use crate::verify::reading::names::reach_of;
@@ -17,7 +17,7 @@ pub(crate) fn with_given_lines(
     }
     let held: Vec<Reach> = declarations.iter().filter_map(held_in_part).collect();
     let mut set = vec![];
-    for row in rows(document) {
+    for row in document.rows() {
         let Row::Line(line) = row else { continue };
         let place = document.place_of_row(line.span.start);
         let at = At {
@@ -64,12 +64,4 @@ fn held_in_part(declaration: &Declaration) -> Option<Reach> {
         }),
         _ => None,
     }
-}
-
-fn rows(document: &Document) -> impl Iterator<Item = &Row> {
-    let formulas = document.items.iter().filter_map(|item| match item {
-        Item::Formula(formula) => Some(&formula.rows),
-        _ => None,
-    });
-    formulas.flatten()
 }

@@ -351,7 +351,7 @@ impl<'a> Judge<'a> {
 
     /// One verdict from what the links came to: the worst of them.
     fn conclude(&mut self, line: &Line, head: Span, purpose: Purpose, held: Vec<Held>) {
-        let unheard = self.unused_of(&line.sides).is_some();
+        let unheard = !purpose.derived && self.unused_of(&line.sides).is_some();
         let derived = purpose.derived || unheard;
         // Words alone make no assumption of what an unheard sentence may tell of.
         let assumed = matches!(purpose.role, Role::Assume | Role::Given);

@@ -10,7 +10,6 @@ use crate::verify::letters::frame::Frame;
 use crate::verify::letters::reading::Reading;
 use crate::verify::letters::usage::{Letter, axes, axis, inner, symbols};
 use crate::verify::lines::line::Read;
-use crate::verify::repair::lines;
 use crate::verify::theory::decide::{Decision, ROTOR_ALONE, decide};
 use crate::verify::theory::law::Axes;
 use crate::verify::theory::{Premise, Taken};
@@ -363,8 +362,11 @@ pub(crate) fn inertia_changes(document: &Document, reading: &Reading) -> bool {
         let part = reading.components.get(letter).map(|(q, _)| *q);
         whole.or(part) == Some(Quantity::Inertia)
     };
-    let rates =
-        || lines(document).filter_map(|line| Some((line.sides.first()?, line.sides.last()?)));
+    let rates = || {
+        document
+            .lines()
+            .filter_map(|line| Some((line.sides.first()?, line.sides.last()?)))
+    };
     let changes = |(rate, value): (&Node, &Node)| {
         let of_inertia = match &inner(rate).kind {
             Kind::TimeDerivative { operand, .. } => match &inner(operand).kind {
@@ -401,7 +403,7 @@ fn gives_three_moments(document: &Document, reading: &Reading) -> bool {
             .map(|(r, _)| r),
         _ => None,
     };
-    let handed = lines(document).filter(|line| line.sides.iter().any(data));
+    let handed = document.lines().filter(|line| line.sides.iter().any(data));
     let given: BTreeSet<u8> = handed.flat_map(|l| &l.sides).filter_map(moment).collect();
     given.len() == 3
 }
